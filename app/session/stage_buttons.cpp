@@ -75,9 +75,10 @@ std::string motor_words(const MotorReport& motors, const StageLanguage& language
 std::optional<Action> action_of_motor_button(const MotorReport& motors) {
   if (!motors.has_motors) return std::nullopt;
   if (motors.state != SafetyState::off) return StopMotors{};
+  if (motors.may_still_push) return OpenDialog{Dialog::doctor};
   if (motors.reason != OffReason::none) return AcknowledgeOff{};
   if (motors.is_ready) return ArmMotors{};
-  return std::nullopt;
+  return OpenDialog{Dialog::doctor};
 }
 
 StageKeys stage_keys() noexcept {

@@ -57,6 +57,11 @@ class RehearsalWindow : public DrivenWindow {
 
 TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_EQ(motors().state, SafetyState::off);
+  frames(1);
+  ASSERT_FALSE(motors().is_ready);
+  press_motor_button();
+  EXPECT_EQ(session().dialog, Dialog::doctor) << "which says what is missing";
+  session().dialog = Dialog::none;
   turn_on();
   lead_slowly(outside, inside);
   EXPECT_TRUE(now().measured);
@@ -252,6 +257,7 @@ TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
   EXPECT_TRUE(motors().may_still_push);
   EXPECT_NE(sentence().find("may still push"), std::string::npos) << sentence();
   EXPECT_EQ(motor_words(motors(), english_stage), english_stage.motors.may_still_push);
+  EXPECT_TRUE(std::holds_alternative<OpenDialog>(action_of_motor_button(motors()).value()));
   session().injected_fault = "none";
   ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   EXPECT_FALSE(motors().may_still_push);
