@@ -1,5 +1,4 @@
 // What the application does for the session: windows, files, inputs, the clipboard.
-#include <array>
 #include <iterator>
 #include <utility>
 

@@ -21,7 +21,7 @@ constexpr Refusal measurement_sets_it{"The measurement has changed that. Finish 
 constexpr Refusal curves_are_hidden{
     "These curves cannot be saved while the hand is measured: they would show the answer. Finish the measurement and "
     "reveal the hand first.",
-    true};
+    true, true};
 constexpr Refusal measures_otherwise{"First finish or cancel “Measure the hand” on the workbench.", true};
 
 // A visitor has no way to files, settings or the window.

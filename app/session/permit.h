@@ -12,7 +12,8 @@ namespace ghostforce {
 // Why not, as a sentence for the person.
 struct Refusal {
   std::string_view words;
-  bool is_told = false;  // on the screen; else nothing happens, as where a key has no meaning
+  bool is_told = false;     // on the screen; else nothing happens, as where a key has no meaning
+  bool is_problem = false;  // which stays there until it is dismissed
 };
 
 // Empty: it is allowed.

@@ -34,8 +34,6 @@ struct PlotView {
   double to_s = 4.0;
   std::optional<double> cursor_s{};  // the time under the pointer
 
-  friend bool operator==(const PlotView&, const PlotView&) = default;
-
   double span_s() const noexcept { return to_s - from_s; }
   // Keeps the right edge.
   void set_span(double span_s) noexcept { from_s = to_s - span_s; }

@@ -1,5 +1,5 @@
 // Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; what the person does
-// changes it (action.h, apply.h), and so do time, panels and gestures; the application sends it on. Nothing in here knows
+// changes it (action.h, apply.h), and so does time; the application sends it on. Nothing in here knows
 // of a file, or of a device more than values that are told about it.
 #pragma once
 
@@ -154,7 +154,7 @@ struct Session {
   std::uint32_t preference_resets = 0;  // all preferences are as at first again
   std::optional<double> dial_turned_s;  // real time since ρ was turned, while the dial says whom it acts on
   UndoOffer undo_offer;
-  // What waits for the next frame.
+  // What waits for the application.
   std::optional<std::string> wanted_input;  // a name of the input catalog; empty: the one in use
   bool fits_view = false;                   // the face that is shown then shows everything
   int ticks_through_history = 0;            // to look at the moment so many ticks later; negative: earlier

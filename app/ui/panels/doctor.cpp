@@ -45,7 +45,12 @@ void draw_doctor(const PanelContext& context) {
   const float width = dialog_field_width(560.0F, context);
   const float end = ImGui::GetCursorPosX() + width;
   ImGui::PushTextWrapPos(end);
-  if (context.loop.readiness.empty() && !context.loop.why_no_falcon.empty()) {
+  if (context.loop.readiness.empty() && context.loop.motors.has_motors) {
+    ImGui::TextUnformatted((context.loop.device +
+                            " gets ready by itself within some seconds. Then keep its handle outside "
+                            "the wall to arm the motors. The desktop program shows each step.")
+                               .c_str());
+  } else if (context.loop.readiness.empty() && !context.loop.why_no_falcon.empty()) {
     ImGui::TextUnformatted(("This input has no motors. " + std::string(context.loop.why_no_falcon)).c_str());
   } else if (context.loop.readiness.empty()) {
     ImGui::TextUnformatted(

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
+
+#include <fmt/format.h>
 
 #include "app/session/front_keys.h"
 #include "app/session/stage_buttons.h"
@@ -76,6 +79,8 @@ void draw_motor_button(const PanelContext& context, float height) {
   ImGui::EndDisabled();
   if (!motors.has_motors) {
     tooltip("No device with a motor is in use: the forces on screen are the model's.");
+  } else if (action && std::holds_alternative<OpenDialog>(*action)) {
+    tooltip(fmt::format("Says what to do: {}.", front_keys().device_status.shown));
   } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
     tooltip(filled(entry_of(motors.reason).remedy, front_keys().device_status.shown));
   } else {

@@ -6,10 +6,10 @@
 
 namespace ghostforce {
 
-// Into the current ImGui window. Edits session.plots, and settings where an operating point is dragged.
+// Into the current ImGui window. Changes the times in sight, and settings where an operating point is dragged.
 void draw_plots(const PanelContext& context, const History& history);
 
-// Each fills what remains of the current ImGui window and edits the session.
+// Each fills what remains of the current ImGui window.
 void draw_time_plots(const PanelContext& context, const PlotHistory& history);
 void draw_wall_angle_plots(const PanelContext& context);
 void draw_ratio_plots(const PanelContext& context);

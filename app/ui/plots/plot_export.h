@@ -11,7 +11,7 @@
 namespace ghostforce {
 
 // The file's content; the ending of `request.path` says which format. Throws Failure where the painter of pictures
-// does, and for curves that the drawer hides.
+// does.
 std::string plot_file(const Session& session, const ShownMoment& moment, const History& history,
                       const SavePlots& request, const FilePainter& painter);
 

@@ -22,7 +22,7 @@ struct Fonts : LabelFonts {
 struct PanelContext {
   const Session& session;
   const ActionSink& apply;
-  Session& edited;  // the same one, for what has no action yet: forms, folds, news, axes of time, the dial's age
+  Session& edited;  // the same one, for what has no action yet: forms, folds, views, plots, the dial's age
   const Snapshot& snapshot;
   const Settings& settings;  // of the moment that is shown; the session's own, but for one of the past
   const LoopReading& loop;
