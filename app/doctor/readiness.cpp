@@ -293,6 +293,7 @@ class ReadinessCheck {
           return fmt::format("The motors went off: {}. The device is well again: arm the motors.",
                              entry_of(motors_->reason).title);
         }
+        if (report_.may_still_push) return fmt::format("The motors went off: {}.", entry_of(motors_->reason).title);
         return turned_off_words("The motors went off", entry_of(motors_->reason));
       }
       case SafetyState::arming:

@@ -22,6 +22,7 @@ std::string words_about(const MotorReport& motors) {
   const std::string_view status_key = front_keys().device_status.shown;
   switch (motors.state) {
     case SafetyState::off:
+      if (motors.may_still_push) return fmt::format("They may still push. {} says what to do.", status_key);
       if (motors.reason == OffReason::none) {
         return motors.is_ready ? std::string("Off. The button at the top right arms the motors.")
                                : fmt::format("Off. The device is not ready. {} says what to do next.", status_key);

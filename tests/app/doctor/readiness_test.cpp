@@ -98,6 +98,8 @@ TEST(Readiness, SaysNothingElseToDoWhileTheMotorsMayStillPush) {
   const std::string words = readiness_of(report, nullptr)[0].words;
   EXPECT_TRUE(words.ends_with("The device was unplugged.")) << words;
   EXPECT_NE(words.find("unplug the device's power supply"), std::string::npos);
+  const MotorReport motors{.has_motors = true, .reason = OffReason::unplugged};
+  EXPECT_EQ(readiness_of(report, &motors).back().words, "The motors went off: unplugged.");
 }
 
 TEST(Readiness, SaysThatADeviceIsWellAgainInPlaceOfWhatToDoForIt) {
