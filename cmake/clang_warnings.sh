@@ -10,9 +10,10 @@ clang_warnings() {
   [[ $benches == ON ]] || say "Without the benches: libbenchmark-dev is not installed."
   list=$("$root/cmake/changed_sources.py" "$@") || fail "What has changed is not known."
   mapfile -t changed <<<"$list"
-  # The only header that is made by the build, not when it is configured.
+  # The headers that are made by the build, not when it is configured.
   configure_and_build clang generated/glad/include/glad/gl.h \
     -DBUILD_TESTING=ON -DGHOSTFORCE_WARNINGS_AS_ERRORS=ON -DGHOSTFORCE_BENCH=$benches
+  build clang generated/embedded/embedded_languages.h
   logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/clang/compile_commands.json" ${list:+"${changed[@]}"} ||
     fail_with clang-warnings "clang has something to say."
   say "clang has nothing to say of what changed: $(tail -n 1 "$(log_of clang-warnings)")"

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "device/falcon/falcon.h"
+#include "device/falcon/link_setup.h"
 
 namespace ghostforce {
 
