@@ -275,8 +275,9 @@ class Frames {
     return frames(name, [this, &shown] { draw(shown); });
   }
   void draw(Shown& shown) {
-    screen_.draw(shown.session, {shown.session.settings, shown.snapshot}, shown.history,
-                 {.input_title = "mouse", .rate_hz = 1000.0, .inputs = inputs_}, frame_s);
+    screen_.draw(
+        shown.session, [](const Action&) {}, {shown.session.settings, shown.snapshot}, shown.history,
+        {.input_title = "mouse", .rate_hz = 1000.0, .inputs = inputs_}, frame_s);
   }
 
   static void finish() { glFinish(); }
