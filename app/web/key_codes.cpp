@@ -77,16 +77,16 @@ constexpr std::array codes{
 };
 
 // KeyA, Digit7, Numpad7: the last letter of a code that is nothing else.
-bool is_one_of(std::string_view code, std::string_view begins, char first, char last) noexcept {
+bool is_between(std::string_view code, std::string_view begins, char first, char last) noexcept {
   return code.size() == begins.size() + 1 && code.starts_with(begins) && code.back() >= first && code.back() <= last;
 }
 
 }  // namespace
 
 int key_of_code(std::string_view code) noexcept {
-  if (is_one_of(code, "Key", 'A', 'Z')) return key::a + (code.back() - 'A');
-  if (is_one_of(code, "Digit", '0', '9')) return key::digit_0 + (code.back() - '0');
-  if (is_one_of(code, "Numpad", '0', '9')) return key::number_pad_0 + (code.back() - '0');
+  if (is_between(code, "Key", 'A', 'Z')) return key::a + (code.back() - 'A');
+  if (is_between(code, "Digit", '0', '9')) return key::digit_0 + (code.back() - '0');
+  if (is_between(code, "Numpad", '0', '9')) return key::number_pad_0 + (code.back() - '0');
   const auto entry = std::ranges::find(codes, code, &CodeEntry::code);
   return entry != codes.end() ? entry->key : 0;
 }
