@@ -102,8 +102,7 @@ static_assert(faults.size() == static_cast<std::size_t>(FalconFault::stop_owed) 
 
 // What a device was told last was a force, or it has not answered since it was told to stop.
 std::string still_pushing(const FalconReport& report) {
-  if (!report.may_still_push) return "";
-  return left_pushing_words(report.owed_serial) + " The program stops them as soon as the device answers again. ";
+  return left_pushing_words(report.owed_serial) + " The program stops them as soon as the device answers again.";
 }
 
 // The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
@@ -191,7 +190,8 @@ class ReadinessCheck {
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FaultEntry& fault = readiness_fault(report_.fault);
         // What to do about motors that may push comes first, and nothing against it beside it.
-        state.words = fmt::format("{} {}", fault.sentence, report_.may_still_push ? "" : fault.remedy);
+        state.words = fault.sentence;
+        if (!report_.may_still_push) state.words.append(" ").append(fault.remedy);
       } else if (state.is_reached || has_failed) {
         state.words = words(entry, state.is_reached);
       }
@@ -200,8 +200,9 @@ class ReadinessCheck {
     // Where everybody looks, whatever else is so: it may be another device than the one that is in use.
     const auto current = std::ranges::find(states, true, &ReadinessStepState::is_current);
     ReadinessStepState& shown = current == states.end() ? states.back() : *current;
-    shown.words.insert(0, still_pushing(report_));
-    while (shown.words.ends_with(' ')) shown.words.pop_back();
+    if (report_.may_still_push) {
+      shown.words = still_pushing(report_) + (shown.words.empty() ? "" : " ") + shown.words;
+    }
     return states;
   }
 

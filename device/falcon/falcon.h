@@ -161,11 +161,11 @@ class Falcon {
   bool is_command_new_ = false;  // not sent yet
   bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
-  std::int64_t sent_ns_ = 0;             // the last command
-  std::int64_t asked_ns_ = 0;            // the first command since the last reply, or since the link was set up again
-  std::int64_t heard_ns_ = 0;            // the last reply
-  std::int64_t awaited_ns_ = 0;          // so, or when the link was set up again
-  std::optional<std::int64_t> zero_ns_;  // the first zero since the last force; empty: a force was last
+  std::int64_t sent_ns_ = 0;     // the last command
+  std::int64_t asked_ns_ = 0;    // the first command since the last reply, or since the link was set up again
+  std::int64_t heard_ns_ = 0;    // the last reply
+  std::int64_t awaited_ns_ = 0;  // since then it is to answer: the last reply, or when the link was set up again
+  std::optional<std::int64_t> zero_ns_;        // the first zero since the last force; empty: a force was last
   std::optional<std::int64_t> unanswered_ns_;  // since when a command waits for its reply; empty: none does
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster
