@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/lessons/lesson_quantities.h"
-#include "app/view/stage/stage_layout.h"
+#include "app/view/stage/stage_view.h"
 #include "core/simulate.h"
 #include "core/units.h"
 

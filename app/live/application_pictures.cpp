@@ -9,7 +9,7 @@
 #include "app/set_up/picture_set_up.h"
 #include "app/set_up/set_up_line.h"
 #include "app/ui/widgets/save_path.h"
-#include "app/view/stage/stage_scene.h"
+#include "app/view/stage/stage_view.h"
 
 namespace ghostforce {
 

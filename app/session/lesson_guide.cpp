@@ -12,7 +12,7 @@
 #include "app/session/hand_burst_guide.h"
 #include "app/session/measurement_guide.h"
 #include "app/session/stage_modes.h"
-#include "app/view/stage/stage_scene.h"
+#include "app/view/stage/stage_view.h"
 
 namespace ghostforce {
 namespace {

@@ -22,7 +22,7 @@
 #include "app/session/stage_choice.h"
 #include "app/session/visit_state.h"
 #include "app/view/pane_views.h"
-#include "app/view/stage/stage_layout.h"
+#include "app/view/stage/stage_view.h"
 #include "app/view/theme.h"
 #include "app/view/view.h"
 #include "core/hand_reading.h"

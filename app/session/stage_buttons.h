@@ -5,7 +5,8 @@
 #include <string>
 
 #include "app/session/action.h"
-#include "app/view/stage/stage.h"
+#include "app/view/stage/stage_action.h"
+#include "app/view/stage/stage_language.h"
 
 namespace ghostforce {
 

@@ -18,6 +18,7 @@
 #include "app/ui/panels/hints.h"
 #include "app/ui/stage/lesson_content.h"
 #include "app/view/stage/landscape_layer.h"
+#include "app/view/stage/stage_view.h"
 
 namespace ghostforce {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "app/lessons/lesson_shelf.h"
 #include "app/view/stage/stage.h"
+#include "app/view/stage/stage_view.h"
 #include "core/wall.h"
 
 namespace ghostforce {

@@ -2,7 +2,6 @@
 // scale, as far as everything fits. Points of the window, y down; pure, any thread.
 #pragma once
 
-#include <span>
 #include <string>
 
 #include "app/view/camera.h"
@@ -16,10 +15,6 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
 
 // The same for a scene without sentence, numbers and buttons, which then has all of the picture.
 StageLayout bare_stage_layout(const Vector<2>& size, double scale);
-
-// The part of the world with hand, wall, and where all strategies come to rest, under each of these goals.
-SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals);
-SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 
 // Its middle stands a little to the right of and below the window's, clear of the numbers.
 // `bottom`: where the scene ends, as in the layout.

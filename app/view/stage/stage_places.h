@@ -1,47 +1,21 @@
-// StageLayout: where words, numbers, buttons and icons of the stage stand, and what a press on them asks for. Values; points
-// of the window, y down; any thread.
+// StageLayout: where words, numbers, buttons and icons of the stage stand. Values; points of the window, y down; any
+// thread.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
 #include "app/view/screen_box.h"
-#include "app/view/stage/face.h"
 #include "app/view/stage/lesson_places.h"
+#include "app/view/stage/stage_action.h"
 #include "app/view/stage/stage_language.h"
 #include "app/view/stage/stage_lesson.h"
 #include "app/view/stage/stage_measuring.h"
-#include "app/view/stage/stage_mode.h"
 #include "app/view/view.h"
-#include "core/strategy.h"
 
 namespace ghostforce {
-
-// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
-// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
-// next language; to move its slider; to measure the hand, or use what was measured.
-enum class StageCommand : std::uint8_t {
-  keys,
-  link,
-  motors,
-  lessons,
-  previous,
-  next,
-  leave,
-  language,
-  slider,
-  measure
-};
-
-// An answer to a lesson's question, from 0.
-enum class StageAnswer : std::uint8_t {};
-
-// What a press on a part of the stage asks for.
-using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
 
 struct StageButton {
   StageAction action;
@@ -89,13 +63,6 @@ struct StageLayout {
   // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
   Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
-};
-
-// What is printed on the keys that do the same as some of the buttons: they are not the same keys in every front.
-struct StageKeys {
-  std::string_view lessons;
-  std::string_view help;
-  std::string_view link{};  // to what is shown; empty: there is no such thing here
 };
 
 struct StageFrameWords {

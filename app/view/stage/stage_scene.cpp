@@ -351,9 +351,4 @@ StageGrips stage_grips(const Settings& settings, const StageMoment& moment, cons
   return grips;
 }
 
-double reference_force_of(const Settings& settings, const Vector<2>& goal) {
-  constexpr double least = 0.1;  // [N]
-  return std::max(least, glm::length(equilibrium_of(StrategyId::naive, settings, goal).force));
-}
-
 }  // namespace ghostforce

@@ -1,5 +1,4 @@
-// What of the stage's scene others must know: where it can be taken hold of, and how long its arrows are. Points of the
-// window, y down; pure, any thread.
+// Where the stage's scene can be taken hold of. Points of the window, y down; pure, any thread.
 #pragma once
 
 #include <array>
@@ -19,8 +18,5 @@ struct StageGrips {
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
                        const ScreenBox& scene, double unit);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
-
-// A force for reference_force: what the naïve device pushes at rest where the scene's hand ends [N].
-double reference_force_of(const Settings& settings, const Vector<2>& goal);
 
 }  // namespace ghostforce

@@ -9,7 +9,7 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/view/stage/stage_layout.h"
+#include "app/view/stage/stage_view.h"
 #include "core/simulate.h"
 
 namespace ghostforce::stage_clip_test {

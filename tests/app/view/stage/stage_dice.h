@@ -15,6 +15,7 @@
 #include "app/paint/vector/vector_painter.h"
 #include "app/view/stage/stage.h"
 #include "app/view/stage/stage_transition.h"
+#include "app/view/stage/stage_view.h"
 #include "core/prediction.h"
 #include "core/simulate.h"
 #include "tests/app/view/picture_dice.h"
