@@ -79,7 +79,7 @@ class Screen {
 
     GlPainter painter;
     SceneGallery gallery;
-    LessonGallery lessons;
+    PictureGallery lessons;
   };
   void draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
                        const LoopReading& loop, const Frame& frame);

@@ -12,6 +12,7 @@
 #include "app/ui/panels/dialogs.h"
 #include "app/ui/panels/language_choice.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/lesson_card.h"
 #include "app/ui/widgets/picture_card.h"
 
 namespace ghostforce {
@@ -84,9 +85,12 @@ void draw_lessons(const PanelContext& context) {
     }
     const float density = ImGui::GetIO().DisplayFramebufferScale.x;
     const auto picture_of = [&](ImVec2 size) {
-      return context.lessons.picture(i, context.theme, static_cast<int>(size.x * density),
-                                     static_cast<int>(size.y * density),
-                                     lesson_mark_scale * static_cast<double>(context.scale * density));
+      const int width = static_cast<int>(size.x * density);
+      const int height = static_cast<int>(size.y * density);
+      const double scale = lesson_mark_scale * static_cast<double>(context.scale * density);
+      return context.lessons.picture(i, lessons.size(), context.theme, width, height, [&](std::size_t each) {
+        return lesson_card(each, context.theme, {width, height}, scale);
+      });
     };
     const PictureCard card{.id = static_cast<int>(i),
                            .title = fmt::format("{}. {}", i + 1, words.title),

@@ -9,7 +9,6 @@
 #include "app/paint/label_painter.h"
 #include "app/paint/scene_gallery.h"
 #include "app/session/action.h"
-#include "app/ui/widgets/lesson_gallery.h"
 #include "app/view/theme.h"
 #include "core/snapshot.h"
 
@@ -30,7 +29,7 @@ struct PanelContext {
   const Fonts& fonts;
   float scale;  // UI scale [1]
   SceneGallery& gallery;
-  LessonGallery& lessons;
+  PictureGallery& lessons;
 };
 
 struct Panel {

@@ -1,6 +1,4 @@
-#include "app/ui/widgets/lesson_gallery.h"
-
-#include <utility>
+#include "app/ui/widgets/lesson_card.h"
 
 #include "app/lessons/lesson_shelf.h"
 #include "app/view/stage/stage.h"
@@ -65,12 +63,10 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
 
 }  // namespace
 
-unsigned int LessonGallery::picture(std::size_t number, const Theme& theme, int width, int height, double scale) {
-  return pictures_.picture(number, shipped_lessons().size(), theme, width, height, [&](std::size_t each) {
-    const SetUp nothing;
-    const SetUp* const set_up = telling_set_up(*shipped_lessons()[each]);
-    return stage_pane(set_up == nullptr ? nothing : *set_up, theme, {width, height}, scale);
-  });
+Pane lesson_card(std::size_t number, const Theme& theme, const Vector<2>& size, double scale) {
+  const SetUp nothing;
+  const SetUp* const set_up = telling_set_up(*shipped_lessons()[number]);
+  return stage_pane(set_up == nullptr ? nothing : *set_up, theme, size, scale);
 }
 
 }  // namespace ghostforce
