@@ -71,7 +71,7 @@ std::string window_title(const Scene& scene) {
 Application::Application(Window& window, const Scene& scene, const ApplicationOptions& options)
     : window_(window),
       session_(session_with(scene, options)),
-      undo_(edited()),
+      undo_(undo_state()),
       inputs_(options.inputs),
       input_choices_(choices_of(inputs_, options.input_options.recorded_hand != nullptr)),
       why_no_falcon_(options.why_no_falcon),
@@ -294,13 +294,13 @@ void Application::do_what_is_asked() {
   looking_back_.follow(session_, report_.snapshot, history_.moments());
   do_effects();
   hand_following_.decide_source(session_);
-  undo_.note(edited(), session_.is_editing || is_measuring(session_));
+  undo_.note(undo_state(), session_.is_editing || session_.drags_goal || is_measuring(session_));
   offer_undo();
 }
 
 void Application::offer_undo() {
-  const Edited* const before = undo_.before();
-  const Edited* const after = undo_.after();
+  const UndoState* const before = undo_.before();
+  const UndoState* const after = undo_.after();
   session_.undo_offer = {.undo = before != nullptr ? words_of_change(*before, undo_.present()) : "",
                          .redo = after != nullptr ? words_of_change(undo_.present(), *after) : ""};
   if (is_measuring(session_))

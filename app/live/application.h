@@ -169,9 +169,9 @@ class Application {
   void use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
            const std::optional<Vector<2>>& goal = {});
   void use_at_request(const InputEntry& entry);
-  Edited edited() const;
+  UndoState undo_state() const;
   // Another scene as it stood, or shall stand, on the screen. The input stays.
-  void show(const Edited& wanted);
+  void show(const UndoState& wanted);
   void show(const SetUp& set_up);
   void copy_set_up();
   void paste_set_up();

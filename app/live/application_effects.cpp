@@ -125,13 +125,14 @@ void Application::take_back(bool undo) {
   // What a measurement has set is its own: to take it back is to cancel it.
   if (is_measuring(session_)) return cancel_measurement(session_);
   // What is being changed right now is one more step to take back.
-  undo_.note(edited(), false);
-  const std::optional<Edited> edited = undo ? undo_.undo() : undo_.redo();
-  if (!edited) return;
-  if (edited->scene == session_.scene) {
-    hand_following_.restore(edited->settings, edited->belief_source, session_);
+  undo_.note(undo_state(), false);
+  const std::optional<UndoState> wanted = undo ? undo_.undo() : undo_.redo();
+  if (!wanted) return;
+  if (wanted->scene == session_.scene) {
+    hand_following_.restore(wanted->settings, wanted->belief_source, session_);
+    if (session_.pointer_moves_goal && wanted->goal_is_chosen) session_.goal = wanted->goal;
   } else {
-    show(*edited);
+    show(*wanted);
   }
 }
 

@@ -112,18 +112,28 @@ void Application::replay_run(const std::string& path) {
               false);
 }
 
-Edited Application::edited() const {
+UndoState Application::undo_state() const {
+  UndoState state{.scene = session_.scene,
+                  .settings = session_.settings,
+                  .belief_source = session_.belief_source,
+                  .goal = session_.goal,
+                  .goal_is_chosen = session_.pointer_moves_goal,
+                  .view = session_.shown,
+                  .face = session_.face,
+                  .mode = session_.stage.mode};
   if (session_.lesson) {
     // It goes as it has come, and leaves nothing to undo.
     const LessonState::Before& before = session_.lesson->before;
-    return {session_.scene, before.settings, before.belief_source, before.goal,
-            session_.shown, before.face,     StageMode::none};
+    state.settings = before.settings;
+    state.belief_source = before.belief_source;
+    state.goal = before.goal;
+    state.face = before.face;
+    state.mode = StageMode::none;
   }
-  return {session_.scene, session_.settings, session_.belief_source, session_.goal,
-          session_.shown, session_.face,     session_.stage.mode};
+  return state;
 }
 
-void Application::show(const Edited& wanted) {
+void Application::show(const UndoState& wanted) {
   leave_stage_mode(session_);
   // A mode that brought an input of its own has asked for the one before.
   const std::string input = std::exchange(session_.wanted_input, {}).value_or(session_.input);
@@ -137,7 +147,12 @@ void Application::show(const Edited& wanted) {
 
 void Application::show(const SetUp& set_up) {
   const auto scene = std::make_shared<const Scene>(set_up.scene);
-  show({scene, scene->settings, BeliefSource::typed, set_up.goal, scene->view, set_up.face, set_up.mode});
+  show(UndoState{.scene = scene,
+                 .settings = scene->settings,
+                 .goal = set_up.goal,
+                 .view = scene->view,
+                 .face = set_up.face,
+                 .mode = set_up.mode});
 }
 
 void Application::show_set_up(const std::string& line) {

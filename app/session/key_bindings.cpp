@@ -147,7 +147,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     bound(keys.device_status, "Device status, and what to do next", ToggleDialog{Dialog::doctor}, true, "Device"),
     KeyBinding{key::escape, none, "Esc", "Motors off; close what is open (never quits)", Escape{}, false, true},
 
-    KeyBinding{key::z, ctrl, "Ctrl+Z", "Undo the last change to a setting", Undo{}, true, false, "Undo, files, clipboard"},
+    KeyBinding{key::z, ctrl, "Ctrl+Z", "Undo the last change", Undo{}, true, false, "Undo, files, clipboard"},
     KeyBinding{key::z, ctrl | shift, "Ctrl+Shift+Z", "Redo; also Ctrl+Y", Redo{}, true},
     KeyBinding{key::y, ctrl, "", "", Redo{}, true},
     KeyBinding{key::c, ctrl, "Ctrl+C", "Copy what is shown as a command, to hand it on", CopySetUp{}},

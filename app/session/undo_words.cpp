@@ -11,31 +11,36 @@ namespace {
 
 struct Part {
   std::string_view words;
-  bool (*is_same)(const Edited&, const Edited&);
+  bool (*is_same)(const UndoState&, const UndoState&);
 };
 
 template <auto Settings::*member>
-bool is_same(const Edited& a, const Edited& b) {
+bool is_same(const UndoState& a, const UndoState& b) {
   return a.settings.*member == b.settings.*member;
 }
 
 template <auto Stiffnesses::*member>
-bool is_same_stiffness(const Edited& a, const Edited& b) {
+bool is_same_stiffness(const UndoState& a, const UndoState& b) {
   return a.settings.stiffnesses.*member == b.settings.stiffnesses.*member;
 }
 
-bool is_same_belief_source(const Edited& a, const Edited& b) {
+bool is_same_belief_source(const UndoState& a, const UndoState& b) {
   return a.belief_source == b.belief_source;
 }
 
 // What follows the hand changes by itself, and is another value wherever it comes from elsewhere.
-bool is_same_belief(const Edited& a, const Edited& b) {
+bool is_same_belief(const UndoState& a, const UndoState& b) {
   const bool follows = a.belief_source == BeliefSource::live || b.belief_source == BeliefSource::live;
   return follows || is_same_stiffness<&Stiffnesses::believed_k_u>(a, b);
 }
 
+bool is_same_goal(const UndoState& a, const UndoState& b) {
+  return a.has_same_goal_as(b);
+}
+
 constexpr std::array parts{
     Part{"the strategy", is_same<&Settings::active>},
+    Part{"the goal", is_same_goal},
     Part{"k_r", is_same_stiffness<&Stiffnesses::k_r>},
     Part{"k_t", is_same_stiffness<&Stiffnesses::k_t>},
     Part{"k_c", is_same_stiffness<&Stiffnesses::k_c>},
@@ -53,7 +58,7 @@ constexpr std::array parts{
 
 }  // namespace
 
-std::string words_of_change(const Edited& before, const Edited& after) {
+std::string words_of_change(const UndoState& before, const UndoState& after) {
   if (before.scene != after.scene) return fmt::format("opening “{}”", after.scene->title);
   std::vector<std::string_view> changed;
   for (const Part& part : parts) {

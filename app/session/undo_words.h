@@ -8,6 +8,6 @@
 namespace ghostforce {
 
 // "k_r", "the strategy and the wall's angle", "opening “A wall at 45 degrees”"; never empty.
-std::string words_of_change(const Edited& before, const Edited& after);
+std::string words_of_change(const UndoState& before, const UndoState& after);
 
 }  // namespace ghostforce

@@ -261,8 +261,8 @@ TEST_F(FindingThings, UndoAndRedoAreButtonsThatSayWhatTheyChange) {
 
 TEST_F(FindingThings, TheWordsOfUndoNameOneChangeOrTwo) {
   const auto scene = std::make_shared<const Scene>(load_scene("wall45"));
-  const Edited before{scene, scene->settings};
-  Edited after = before;
+  const UndoState before{scene, scene->settings};
+  UndoState after = before;
   after.settings.actuated_angle += 1.0;
   EXPECT_EQ(words_of_change(before, after), "the actuated direction");
   after.settings.active = StrategyId::full;

@@ -31,6 +31,22 @@ class SessionTest : public DrivenWindow {
 
 // --- Undo ------------------------------------------------------------------------------------------------------------
 
+TEST_F(SessionTest, WhereTheHandPullsIsTakenBackAndDoneAgain) {
+  const Vector<2> start = session().goal;
+  press(key::left, modifier::control);
+  press(key::left, modifier::control);
+  const Vector<2> nudged = session().goal;
+  EXPECT_NE(nudged, start);
+  EXPECT_EQ(session().undo_offer.undo, "the goal");
+  press(key::digit_3);
+  undo();
+  EXPECT_EQ(session().goal, nudged);
+  undo();
+  EXPECT_EQ(session().goal, start);
+  redo();
+  EXPECT_EQ(session().goal, nudged);
+}
+
 TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings start = session().settings;
   press(key::digit_3);
