@@ -8,11 +8,11 @@
 #include <system_error>
 #include <vector>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/words.h"
 #include "app/cli/command_line.h"
 #include "app/cli/exit_code.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"

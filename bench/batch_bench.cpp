@@ -23,7 +23,7 @@
 #include <fmt/format.h>
 
 #include "app/files/scene_file.h"
-#include "app/sweep/sweep.h"
+#include "app/tools/sweep/sweep.h"
 #include "bench/batch_by_hand.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"

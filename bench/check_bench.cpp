@@ -14,10 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/check/comparison.h"
-#include "app/desktop/offscreen.h"
 #include "app/files/png_writer.h"
 #include "app/files/scene_file.h"
+#include "app/shell/desktop/offscreen.h"
+#include "app/tools/check/comparison.h"
 #include "bench/support/child.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"

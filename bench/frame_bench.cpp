@@ -18,10 +18,10 @@
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
-#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
-#include "app/ui/panels/panel_catalog.h"
-#include "app/ui/screen.h"
+#include "app/shell/desktop/glfw_window.h"
+#include "app/shell/screen.h"
+#include "app/workbench/panel_catalog.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "core/simulate.h"

@@ -25,9 +25,9 @@
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
-#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
-#include "app/live/application.h"
+#include "app/shell/application.h"
+#include "app/shell/desktop/glfw_window.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"

@@ -6,8 +6,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/view/stage/landscape_contours.h"
-#include "app/view/stage/landscape_layer.h"
+#include "app/stage/landscape_contours.h"
+#include "app/stage/landscape_layer.h"
 
 namespace ghostforce {
 namespace {

@@ -8,8 +8,8 @@
 #include <benchmark/benchmark.h>
 
 #include "app/files/scene_file.h"
-#include "app/sweep/point_equilibrium.h"
-#include "app/sweep/sweep.h"
+#include "app/tools/sweep/point_equilibrium.h"
+#include "app/tools/sweep/sweep.h"
 
 namespace ghostforce {
 namespace {

@@ -1,6 +1,6 @@
 """languages.py OUTPUT.h OUTPUT.cpp MODEL.toml [LANGUAGE.toml ...]
 
-Makes the tables of words that app/view/stage/stage_language.h declares from assets/languages. The model's keys are the
+Makes the tables of words that app/state/stage_language.h declares from assets/languages. The model's keys are the
 members of struct StageLanguage; a language that lacks one, or has one more, or another number of "{}", is an error that
 names it. A table of tables with equal keys is a struct for all of them, named without its last letter: [modes] holds
 members of type Mode. So is an array of tables.

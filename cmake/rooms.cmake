@@ -1,6 +1,6 @@
 # ghostforce_add_room([SEPARATE] [COLD] [SOURCES file...] [DESKTOP file...] [PAGE file...])
 #
-# One folder as one CMake library, named after it: app/ui/plots is app_ui_plots. What it links is its line of rooms.txt,
+# One folder as one CMake library, named after it: app/workbench is app_workbench. What it links is its line of rooms.txt,
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
 # reads the same lines: links hand on, and what is inline needs none.
 #
@@ -24,6 +24,7 @@ if(EMSCRIPTEN)
   set(library_posix "")  # in Emscripten's C library
   set(library_libpng "")
   set(library_zlib "")
+  set(library_hidapi "")
   set(library_stb page_headers)
 else()
   set(library_posix Threads::Threads)
@@ -81,6 +82,11 @@ function(ghostforce_add_room)
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   room_library(${folder} name)
   room_links(${folder} links)
+  if(NOT ARGN)  # headers alone
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE ${links})
+    return()
+  endif()
   if(EMSCRIPTEN)
     set(own ${arg_PAGE})
   else()

@@ -1,15 +1,15 @@
 // The catalog of inputs that need nothing but this program: no cable, no thread of their own. A new one is its own file
-// and one row here; the desktop's other inputs are in app/cli/desktop_inputs.h. app/live/input_link.h says what the
+// and one row here; the desktop's other inputs are in app/cli/desktop_inputs.h. app/shell/input_link.h says what the
 // window does with each. Immutable after start, any thread; making an input allocates and may throw.
 #pragma once
 
 #include <functional>
 #include <memory>
 
-#include "core/input_choice.h"
 #include "core/scene.h"
 #include "device/falcon/falcon.h"
 #include "device/input/input.h"
+#include "device/report/input_choice.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

@@ -13,22 +13,22 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/check/case_folder.h"
-#include "app/check/evaluation.h"
-#include "app/check/report.h"
-#include "app/check/update.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/check_lessons.h"
 #include "app/cli/command.h"
 #include "app/cli/lines.h"
 #include "app/cli/picture_options.h"
-#include "app/console/did_you_mean.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/input_file.h"
-#include "app/lessons/lesson_file.h"
+#include "app/state/lesson_file.h"
+#include "app/tools/check/case_folder.h"
+#include "app/tools/check/evaluation.h"
+#include "app/tools/check/report.h"
+#include "app/tools/check/update.h"
 
 namespace ghostforce {
 namespace {

@@ -5,16 +5,16 @@
 
 #include <fmt/format.h>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/exit_code.h"
 #include "app/cli/lines.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/input_file.h"
 #include "app/files/toml_document.h"
-#include "app/lessons/lesson_check.h"
-#include "app/lessons/lesson_file.h"
+#include "app/state/lesson_check.h"
+#include "app/state/lesson_file.h"
 
 namespace ghostforce {
 namespace {

@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/run_file.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "app/set_up/position_text.h"
+#include "app/state/position_text.h"
 #include "core/simulate.h"
 
 namespace ghostforce {

@@ -2,10 +2,10 @@
 
 #include <fmt/format.h>
 
+#include "app/base/exit_code_catalog.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/exit_code_catalog.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/scene_file.h"
 #include "ghostforce_version.h"
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 
 namespace ghostforce {
 

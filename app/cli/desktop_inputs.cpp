@@ -4,12 +4,12 @@
 
 #include <fmt/format.h>
 
-#include "app/doctor/readiness.h"
-#include "app/live/portable_inputs.h"
-#include "app/live/spacemouse_input_link.h"
+#include "app/shell/portable_inputs.h"
+#include "app/shell/spacemouse_input_link.h"
+#include "app/tools/doctor/readiness.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_input.h"
-#include "device/spacemouse_hid/hid_spacemouse_input.h"
+#include "device/spacemouse/hid_spacemouse_input.h"
 
 namespace ghostforce {
 namespace {

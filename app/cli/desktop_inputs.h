@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "app/live/input_link.h"
-#include "core/motor_report.h"
+#include "app/shell/input_link.h"
 #include "device/falcon_usb/ftdi_link.h"
+#include "device/report/motor_report.h"
 
 namespace ghostforce {
 

@@ -15,22 +15,22 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/falcon_options.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
-#include "app/desktop/renderer_examination.h"
-#include "app/doctor/diagnosis.h"
-#include "app/doctor/examination.h"
-#include "app/doctor/measure/measure_command.h"
-#include "app/doctor/readiness.h"
-#include "app/doctor/udev_rule.h"
+#include "app/shell/desktop/renderer_examination.h"
+#include "app/tools/doctor/diagnosis.h"
+#include "app/tools/doctor/examination.h"
+#include "app/tools/doctor/readiness.h"
+#include "app/tools/doctor/udev_rule.h"
+#include "app/tools/measure/measure_command.h"
 #include "core/scene.h"
 #include "device/servo/realtime.h"
-#include "device/spacemouse_hid/hid_spacemouse_input.h"
+#include "device/spacemouse/hid_spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {

@@ -10,9 +10,9 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
 #include "core/prediction.h"
 #include "core/units.h"
 

@@ -1,7 +1,7 @@
 // The exit codes of errors that know of none: files that were to be read. Pure, any thread.
 #pragma once
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {

@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
-#include "app/console/words.h"
-#include "app/doctor/readiness.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/xdg_folders.h"
+#include "app/tools/doctor/readiness.h"
 #include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {

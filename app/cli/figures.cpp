@@ -10,16 +10,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
-#include "app/figures/figure_catalog.h"
-#include "app/figures/recorded_hand.h"
 #include "app/files/output_folder.h"
 #include "app/files/run_reader.h"
+#include "app/tools/figures/figure_catalog.h"
+#include "app/tools/figures/recorded_hand.h"
 
 namespace ghostforce {
 namespace {

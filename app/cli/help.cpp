@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
 #include "app/cli/program_manual.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
-#include "app/manual/completion.h"
-#include "app/manual/man_page.h"
+#include "app/tools/manual/completion.h"
+#include "app/tools/manual/man_page.h"
 
 namespace ghostforce {
 namespace {

@@ -6,9 +6,9 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/contradictions.h"
-#include "app/lessons/lesson_shelf.h"
-#include "app/view/stage/face.h"
-#include "core/input_choice.h"
+#include "app/state/face.h"
+#include "app/state/lesson_shelf.h"
+#include "device/report/input_choice.h"
 
 namespace ghostforce {
 namespace {

@@ -1,11 +1,11 @@
-// --kiosk, the visitor's mode (app/session/visit.h, docs/kiosk.md), and what cannot be asked for together with it.
+// --kiosk, the visitor's mode (app/state/visit.h, docs/kiosk.md), and what cannot be asked for together with it.
 #pragma once
 
 #include <memory>
 #include <string_view>
 #include <vector>
 
-#include "app/lessons/lesson.h"
+#include "app/state/lesson.h"
 
 namespace CLI {
 class App;

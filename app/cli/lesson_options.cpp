@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/failure.h"
-#include "app/console/language.h"
-#include "app/console/quoted.h"
-#include "app/lessons/lesson_file.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/failure.h"
+#include "app/base/language.h"
+#include "app/base/quoted.h"
+#include "app/state/lesson_file.h"
 
 namespace ghostforce {
 

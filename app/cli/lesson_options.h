@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
-#include "app/lessons/lesson.h"
+#include "app/state/lesson.h"
 
 namespace ghostforce {
 

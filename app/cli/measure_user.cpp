@@ -16,11 +16,11 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/run_reader.h"
 #include "app/runs/live_readings.h"
 #include "core/units.h"

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
 
 namespace ghostforce {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
-#include "app/desktop/renderer.h"
-#include "app/session/session.h"
+#include "app/shell/desktop/renderer.h"
+#include "app/state/session.h"
 #include "core/scene.h"
 
 namespace CLI {

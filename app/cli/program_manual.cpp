@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "app/base/exit_code_catalog.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/console/exit_code_catalog.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

@@ -1,7 +1,7 @@
-// The program's manual (app/manual), from what its commands tell CLI11. Allocates; not for the servo thread.
+// The program's manual (app/tools/manual), from what its commands tell CLI11. Allocates; not for the servo thread.
 #pragma once
 
-#include "app/manual/manual.h"
+#include "app/tools/manual/manual.h"
 
 namespace ghostforce {
 

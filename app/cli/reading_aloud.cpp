@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/files/output_file.h"
-#include "app/lessons/lesson_file.h"
+#include "app/state/lesson_file.h"
 
 namespace ghostforce {
 namespace {

@@ -5,10 +5,10 @@
 #include <memory>
 #include <optional>
 
-#include "app/aloud/printed_values.h"
-#include "app/aloud/speech.h"
-#include "app/live/application.h"
-#include "app/worker/newest_line_writer.h"
+#include "app/base/newest_line_writer.h"
+#include "app/shell/application.h"
+#include "app/tools/speech/printed_values.h"
+#include "app/tools/speech/speech.h"
 
 namespace ghostforce {
 

@@ -11,21 +11,21 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/cli/command.h"
 #include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
-#include "app/console/failure.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
-#include "app/desktop/offscreen.h"
 #include "app/files/clip_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/set_up/picture_set_up.h"
-#include "app/set_up/set_up_line.h"
+#include "app/shell/desktop/offscreen.h"
+#include "app/state/picture_set_up.h"
+#include "app/state/set_up_line.h"
 #include "core/scene.h"
 
 namespace ghostforce {

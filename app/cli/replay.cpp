@@ -14,10 +14,10 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "app/files/program_build.h"
 #include "app/files/run_file.h"

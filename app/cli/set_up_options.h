@@ -1,5 +1,5 @@
 // The options of `ghostforce run` that say what stands on the screen at first: those that a set-up's line is made of
-// (app/set_up/set_up_line.h).
+// (app/state/set_up_line.h).
 #pragma once
 
 #include <optional>
@@ -7,7 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/picture_options.h"
-#include "app/set_up/set_up.h"
+#include "app/state/set_up.h"
 
 namespace ghostforce {
 

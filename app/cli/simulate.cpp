@@ -6,9 +6,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
 #include "core/goal_path.h"

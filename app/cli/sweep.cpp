@@ -12,16 +12,16 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/words.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
-#include "app/sweep/rows.h"
-#include "app/sweep/sweep.h"
+#include "app/tools/sweep/rows.h"
+#include "app/tools/sweep/sweep.h"
 
 namespace ghostforce {
 namespace {

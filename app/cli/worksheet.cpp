@@ -8,16 +8,16 @@
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/lesson_options.h"
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
 #include "app/files/output_file.h"
-#include "app/lessons/lesson_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/worksheet/worksheet.h"
+#include "app/state/lesson_file.h"
+#include "app/tools/worksheet/worksheet.h"
 
 namespace ghostforce {
 namespace {

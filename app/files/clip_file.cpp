@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/files/animated_png.h"
 
 namespace ghostforce {

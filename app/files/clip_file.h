@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/console/interruption.h"
+#include "app/base/interruption.h"
 #include "app/files/clip_shape.h"
 #include "app/files/output_file.h"
 #include "app/files/video_encoder.h"

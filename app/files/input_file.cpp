@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <utility>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/interruption.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/interruption.h"
 
 namespace ghostforce {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/kept_text.h"
 #include "app/files/output_file.h"

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/kept_file.h"
 #include "app/files/kept_text.h"
 

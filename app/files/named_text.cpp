@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/quoted.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/quoted.h"
 #include "app/files/input_file.h"
 
 namespace ghostforce {

@@ -13,10 +13,10 @@
 
 #include <fmt/core.h>
 
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/disk_sync.h"
 #include "app/files/part_file.h"
 

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <utility>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 
 namespace ghostforce {
 namespace {

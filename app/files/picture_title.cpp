@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/console/typed_text.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 namespace {

@@ -13,7 +13,7 @@
 #include <new>
 #include <vector>
 
-#include "app/console/quoted.h"
+#include "app/base/quoted.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "app/console/quoted.h"
+#include "app/base/quoted.h"
 #include "app/files/deflate.h"
 #include "app/files/input_file.h"
 #include "app/files/read_error.h"

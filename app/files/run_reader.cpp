@@ -11,10 +11,10 @@
 
 #include <fmt/format.h>
 
-#include "app/console/interruption.h"
-#include "app/console/progress.h"
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
+#include "app/base/interruption.h"
+#include "app/base/progress.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/program_build.h"
 #include "app/files/run_file.h"

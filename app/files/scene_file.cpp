@@ -9,7 +9,7 @@
 
 #include <fmt/format.h>
 
-#include "app/console/number.h"
+#include "app/base/number.h"
 #include "app/files/named_text.h"
 #include "app/files/toml_document.h"
 #include "core/units.h"

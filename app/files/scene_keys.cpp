@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/quoted.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/quoted.h"
 
 namespace ghostforce {
 namespace {

@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/quoted.h"
-#include "app/console/typed_text.h"
+#include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/scene_keys.h"
 #include "app/files/toml_document.h"
 #include "core/units.h"

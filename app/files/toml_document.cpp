@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/did_you_mean.h"
-#include "app/console/unicode.h"
+#include "app/base/did_you_mean.h"
+#include "app/base/unicode.h"
 #include "app/files/first_problems.h"
 #include "app/files/toml_parse.h"
 

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/console/quoted.h"
+#include "app/base/quoted.h"
 #include "app/files/read_error.h"
 
 namespace ghostforce {

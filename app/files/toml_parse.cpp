@@ -1,6 +1,6 @@
 #include "app/files/toml_parse.h"
 
-#include "app/console/quoted.h"
+#include "app/base/quoted.h"
 
 namespace ghostforce {
 namespace {

@@ -16,8 +16,8 @@
 
 #include <fmt/format.h>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/files/tool_process.h"
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/video_encoder.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "app/console/unicode.h"
+#include "app/base/unicode.h"
 
 namespace ghostforce {
 namespace {

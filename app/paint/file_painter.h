@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/image.h"
-#include "app/view/panes.h"
-#include "app/view/theme.h"
+#include "app/picture/panes.h"
+#include "app/picture/theme.h"
 
 namespace ghostforce {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "ghostforce_paths.h"
 
 namespace ghostforce {

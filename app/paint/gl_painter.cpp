@@ -6,8 +6,8 @@
 
 #include "app/paint/area_coverage.h"
 #include "app/paint/embedded_shader.h"
-#include "app/paint/gl/shader_program.h"
 #include "app/paint/half_plane_tiles.h"
+#include "app/paint/shader_program.h"
 
 namespace ghostforce {
 namespace {

@@ -9,11 +9,11 @@
 
 #include <imgui.h>
 
-#include "app/paint/gl/handle.h"
+#include "app/paint/handle.h"
 #include "app/paint/label_painter.h"
 #include "app/paint/texture_painter.h"
-#include "app/view/panes.h"
-#include "app/view/theme.h"
+#include "app/picture/panes.h"
+#include "app/picture/theme.h"
 
 namespace ghostforce {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "app/view/marks.h"
+#include "app/picture/marks.h"
 
 namespace ghostforce {
 

@@ -4,9 +4,9 @@
 
 #include <imgui.h>
 
-#include "app/view/camera.h"
-#include "app/view/marks.h"
-#include "app/view/view.h"
+#include "app/picture/camera.h"
+#include "app/picture/marks.h"
+#include "app/picture/view.h"
 
 namespace ghostforce {
 

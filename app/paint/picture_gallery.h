@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/paint/gl_painter.h"
-#include "app/view/panes.h"
-#include "app/view/theme.h"
+#include "app/picture/panes.h"
+#include "app/picture/theme.h"
 
 namespace ghostforce {
 

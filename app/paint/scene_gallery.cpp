@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/files/scene_file.h"
-#include "app/view/panes.h"
+#include "app/picture/panes.h"
 #include "core/simulate.h"
 
 namespace ghostforce {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/paint/picture_gallery.h"
-#include "app/view/theme.h"
+#include "app/picture/theme.h"
 #include "core/scene.h"
 
 namespace ghostforce {

@@ -1,7 +1,7 @@
 #include "app/paint/texture_painter.h"
 
 #include "app/paint/embedded_shader.h"
-#include "app/paint/gl/shader_program.h"
+#include "app/paint/shader_program.h"
 
 namespace ghostforce {
 namespace {

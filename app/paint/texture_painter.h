@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/paint/area_coverage.h"
-#include "app/paint/gl/handle.h"
-#include "app/view/marks.h"
+#include "app/paint/handle.h"
+#include "app/picture/marks.h"
 
 namespace ghostforce {
 

@@ -14,9 +14,9 @@
 
 #include <fmt/compile.h>
 
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/base/quoted.h"
 #include "app/files/disk_sync.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"

@@ -11,8 +11,8 @@
 
 #include <fmt/format.h>
 
+#include "app/base/worker.h"
 #include "app/files/run.h"
-#include "app/worker/worker.h"
 #include "core/scene.h"
 #include "device/servo/servo.h"
 

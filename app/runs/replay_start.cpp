@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "core/simulate.h"
 
 namespace ghostforce {

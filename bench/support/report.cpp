@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/output_file.h"
 
 namespace ghostforce::bench {

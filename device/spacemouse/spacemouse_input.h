@@ -1,5 +1,5 @@
 // The hand on a SpaceMouse: the newest reading, from whoever reads the device, moves the goal (spacemouse_motion.h). A
-// thread does it on a desktop (device/spacemouse_hid), the browser in a page. SI units.
+// thread does it on a desktop (device/spacemouse), the browser in a page. SI units.
 //
 // set(), reading() and the constructor belong to the UI thread, publish() to who reads the device, restart() and goal()
 // to the servo thread; none waits or throws.

@@ -9,7 +9,7 @@
 #include <cstdint>
 
 #include "core/conventions.h"
-#include "core/spacemouse.h"
+#include "device/report/spacemouse.h"
 
 namespace ghostforce {
 

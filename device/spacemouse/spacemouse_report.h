@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/spacemouse.h"
+#include "device/report/spacemouse.h"
 
 namespace ghostforce {
 

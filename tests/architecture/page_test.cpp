@@ -38,7 +38,7 @@ bool is_for_desktop_alone(const std::string& operand) {
 
 // The rooms that the page's own leads to; before there is one, what it will show.
 std::set<std::string> rooms_of_the_page(const Rooms& rooms) {
-  std::deque<std::string> next{rooms.contains("app/web") ? "app/web" : "app/live"};
+  std::deque<std::string> next{rooms.contains("app/shell/web") ? "app/shell/web" : "app/shell"};
   std::set<std::string> found;
   for (; !next.empty(); next.pop_front()) {
     if (!found.insert(next.front()).second) continue;
@@ -122,7 +122,7 @@ std::vector<std::string> problems_of_the_page(const Tree& tree, const Lists& lis
 TEST(PageTest, IncludesNothingThatABrowserLacks) {
   const Tree tree = tree_at(source_path());
   const std::set<std::string> rooms = rooms_of_the_page(rooms_of_the_house());
-  for (const char* const room : {"core", "device/servo", "app/files", "app/ui/panels"}) {
+  for (const char* const room : {"core", "device/servo", "app/files", "app/workbench"}) {
     EXPECT_TRUE(rooms.contains(room)) << room;
   }
   EXPECT_FALSE(rooms.contains("app/cli"));
@@ -130,14 +130,14 @@ TEST(PageTest, IncludesNothingThatABrowserLacks) {
   const std::set<std::string> compiled = compiled_for_the_page(tree, lists);
   ASSERT_TRUE(compiled.contains("app/files/kept_file_page.cpp")) << "the lists were not read";
   ASSERT_TRUE(compiled.contains("app/runs/recording.h")) << "headers were not followed";
-  EXPECT_FALSE(compiled.contains("app/worker/worker.cpp"));
+  EXPECT_FALSE(compiled.contains("app/base/worker.cpp"));
   EXPECT_EQ(listed(problems_of_the_page(tree, lists)), "");
 }
 
 // One behind which nothing stands would be found by the linker, and only by who builds the page.
 TEST(PageTest, BehindAHeaderStandsOneForEachFront) {
   std::set<std::string> shared = rooms_of_the_page(rooms_of_the_house());
-  shared.erase("app/web");  // the page's own front
+  shared.erase("app/shell/web");  // the page's own front
   for (const auto& [folder, list] : lists_at(source_path(), shared)) {
     const std::set<std::string> desktop = sources_after("DESKTOP", list);
     for (const std::string& source : sources_after("PAGE", list)) {
@@ -219,9 +219,10 @@ TEST(PageSelfTest, WhatOnlyAPageHasIsForItsOwnSources) {
 }
 
 TEST(PageSelfTest, FollowsTheTableToTheLastRoom) {
-  const Rooms rooms{{"app/web", {{"app/view"}, {}}}, {"app/view", {{"core"}, {}}}, {"core", {}}, {"app/live", {}}};
-  EXPECT_EQ(rooms_of_the_page(rooms), (std::set<std::string>{"app/web", "app/view", "core"}));
-  EXPECT_EQ(rooms_of_the_page({{"app/live", {}}, {"core", {}}}), (std::set<std::string>{"app/live"}));
+  const Rooms rooms{
+      {"app/shell/web", {{"app/picture"}, {}}}, {"app/picture", {{"core"}, {}}}, {"core", {}}, {"app/shell", {}}};
+  EXPECT_EQ(rooms_of_the_page(rooms), (std::set<std::string>{"app/shell/web", "app/picture", "core"}));
+  EXPECT_EQ(rooms_of_the_page({{"app/shell", {}}, {"core", {}}}), (std::set<std::string>{"app/shell"}));
 }
 
 }  // namespace

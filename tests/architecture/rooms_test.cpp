@@ -234,29 +234,29 @@ TEST(RoomsSelfTest, RefusesWhatARoomMayNotSee) {
       {"device/falcon/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
       {"device/falcon/a.cpp", "#include <libusb-1.0/libusb.h>"},
       {"device/input_catalog.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
-      {"device/input/a.cpp", "#include \"app/ui/window.h\""},
-      {"app/view/a.cpp", "#include \"device/servo/servo.h\""},
-      {"app/view/a.cpp", "#include <imgui.h>"},
-      {"app/console/a.cpp", "#include \"core/wall.h\""},
+      {"device/input/a.cpp", "#include \"app/shell/window.h\""},
+      {"app/picture/a.cpp", "#include \"device/servo/servo.h\""},
+      {"app/picture/a.cpp", "#include <imgui.h>"},
+      {"app/base/a.cpp", "#include \"core/wall.h\""},
       {"app/files/a.cpp", "#include \"app/runs/recording.h\""},
       {"app/paint/a.cpp", "#include \"app/paint/vector/vector_painter.h\""},
       {"app/paint/a.cpp", "#include <cairo.h>"},
       {"app/paint/a.cpp", "#include <glad/gl.h>"},
-      {"app/paint/gl/a.cpp", "#include <GLES3/gl3.h>"},
-      {"app/session/a.cpp", "#include \"device/input_catalog.h\""},
-      {"app/session/a.cpp", "#include \"app/doctor/readiness.h\""},
-      {"app/session/a.cpp", "#include <imgui.h>"},
-      {"app/session/a.cpp", "#include <GLFW/glfw3.h>"},
-      {"app/ui/widgets/a.cpp", "#include \"app/ui/panels/panel_catalog.h\""},
-      {"app/ui/panels/a.cpp", "#include \"app/ui/window.h\""},
-      {"app/ui/a.cpp", "#include \"device/input/input.h\""},
-      {"app/ui/a.cpp", "#include <GLFW/glfw3.h>"},
-      {"app/ui/a.cpp", "#include <unistd.h>"},
-      {"app/ui/a.cpp", "#include \"app/desktop/glfw_window.h\""},
-      {"app/live/a.cpp", "#include \"app/desktop/glfw_window.h\""},
-      {"app/live/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
-      {"app/live/a.cpp", "#include \"app/cli/command.h\""},
-      {"app/check/a.cpp", "#include <gtest/gtest.h>"},
+      {"app/paint/a.cpp", "#include <GLES3/gl3.h>"},
+      {"app/state/a.cpp", "#include \"device/input_catalog.h\""},
+      {"app/state/a.cpp", "#include \"app/tools/doctor/readiness.h\""},
+      {"app/state/a.cpp", "#include <imgui.h>"},
+      {"app/state/a.cpp", "#include <GLFW/glfw3.h>"},
+      {"app/widgets/a.cpp", "#include \"app/workbench/panel_catalog.h\""},
+      {"app/workbench/a.cpp", "#include \"app/shell/window.h\""},
+      {"app/shell/a.cpp", "#include \"device/input/input.h\""},
+      {"app/shell/a.cpp", "#include <GLFW/glfw3.h>"},
+      {"app/shell/a.cpp", "#include <unistd.h>"},
+      {"app/shell/a.cpp", "#include \"app/shell/desktop/glfw_window.h\""},
+      {"app/shell/a.cpp", "#include \"app/shell/desktop/glfw_window.h\""},
+      {"app/shell/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
+      {"app/shell/a.cpp", "#include \"app/cli/command.h\""},
+      {"app/tools/check/a.cpp", "#include <gtest/gtest.h>"},
       {"app/cli/a.cpp", "#include \"tests/support/program.h\""},
       {"app/nowhere/a.cpp", "#include <vector>"},
   };
@@ -272,9 +272,10 @@ TEST(RoomsSelfTest, LetsThroughWhatEachRoomNeeds) {
       {"core/a.h", "#include <atomic>\n#include <glm/vec2.hpp>\n#include \"core/b.h\"\n"},
       {"device/servo/a.cpp", "#include <thread>\n#include <pthread.h>\n#include \"device/input/b.h\"\n"},
       {"device/falcon_usb/a.cpp", "#include <libusb.h>\n#include <sys/mman.h>\n#include <openssl/sha.h>\n"},
-      {"app/view/a.cpp", "#include \"core/snapshot.h\"\n#include \"app/view/theme.h\"\n#include <fmt/format.h>\n"},
+      {"app/picture/a.cpp",
+       "#include \"core/snapshot.h\"\n#include \"app/picture/theme.h\"\n#include <fmt/format.h>\n"},
       {"app/paint/vector/a.cpp", "#include <cairo/cairo-svg.h>\n#include <freetype/freetype.h>\n"},
-      {"app/ui/plots/a.cpp", "#include <implot.h>\n#include \"app/ui/panels/b.h\"\n"},
+      {"app/workbench/a.cpp", "#include <implot.h>\n#include \"app/workbench/b.h\"\n"},
       {"core/comment.h", "// #include <imgui.h> would be a leak\n"},
   };
   EXPECT_EQ(listed(forbidden_arrows(rooms_of_the_house(), fine)), "");
@@ -286,31 +287,31 @@ TEST(RoomsSelfTest, SaysWhere) {
 }
 
 TEST(RoomsSelfTest, SeesWhatIsAllowedAndNotUsed) {
-  const Rooms rooms{{"app/ui", {.folders = {"core", "app/view"}, .libraries = {"fmt", "imgui"}}}};
-  const Tree tree{{"app/ui/a.cpp", "#include \"core/b.h\"\n#include <imgui.h>\n"}};
-  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/ui uses nothing of app/view\napp/ui uses nothing of fmt\n");
+  const Rooms rooms{{"app/shell", {.folders = {"core", "app/picture"}, .libraries = {"fmt", "imgui"}}}};
+  const Tree tree{{"app/shell/a.cpp", "#include \"core/b.h\"\n#include <imgui.h>\n"}};
+  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/shell uses nothing of app/picture\napp/ui uses nothing of fmt\n");
 }
 
 TEST(RoomsSelfTest, SeesARingOfFolders) {
   const Tree ring{
-      {"app/view/a.h", "#include \"app/chart/b.h\"\n"},
-      {"app/chart/b.h", "#include \"core/c.h\"\n#include \"app/ui/panels/d.h\"\n"},
-      {"app/ui/panels/d.h", "#include \"app/view/e.h\"\n"},
-      {"app/view/e.h", "\n"},
+      {"app/picture/a.h", "#include \"app/picture/b.h\"\n"},
+      {"app/picture/b.h", "#include \"core/c.h\"\n#include \"app/workbench/d.h\"\n"},
+      {"app/workbench/d.h", "#include \"app/picture/e.h\"\n"},
+      {"app/picture/e.h", "\n"},
       {"core/c.h", "\n"},
   };
-  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/chart -> app/ui/panels -> app/view -> app/chart");
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/picture -> app/workbench -> app/picture -> app/picture");
   EXPECT_EQ(ring_in(file_arrows(ring)), "");
 }
 
 // A folder and one inside it are two.
 TEST(RoomsSelfTest, SeesARingOfAFolderAndItsSubFolder) {
   const Tree ring{
-      {"app/ui/window.h", "#include \"app/ui/widgets/style.h\"\n"},
-      {"app/ui/widgets/style.h", "#include \"app/ui/fonts.h\"\n"},
-      {"app/ui/fonts.h", "\n"},
+      {"app/shell/window.h", "#include \"app/widgets/style.h\"\n"},
+      {"app/widgets/style.h", "#include \"app/shell/fonts.h\"\n"},
+      {"app/shell/fonts.h", "\n"},
   };
-  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/ui -> app/ui/widgets -> app/ui");
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/shell -> app/widgets -> app/shell");
 }
 
 TEST(RoomsSelfTest, SeesTwoHeadersThatNeedEachOther) {

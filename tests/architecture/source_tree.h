@@ -24,7 +24,7 @@ struct Room {
   std::set<std::string> libraries;  // beyond the standard one
 };
 
-using Rooms = std::map<std::string, Room>;  // by folder, as in "app/ui/plots"
+using Rooms = std::map<std::string, Room>;  // by folder, as in "app/workbench"
 
 inline std::set<std::string> words_of(const std::string& text) {
   std::istringstream stream(text);
@@ -68,7 +68,7 @@ inline const std::map<std::string, std::regex>& library_includes() {
       {"libpng", std::regex("<png\\.h>")},
       {"libusb", std::regex("<libusb(-1\\.0)?(/libusb)?\\.h>")},
       {"nlohmann_json", std::regex("<nlohmann/.+>")},
-      {"opengl", std::regex("\"opengl\\.h\"")},  // each front's own: app/paint/gl/
+      {"opengl", std::regex("\"opengl\\.h\"")},  // each front's own: app/paint/
       // What the operating system offers beyond the standard library.
       {"posix", std::regex("<((sys|linux|netinet|arpa)/[a-z_0-9/]+|dirent|dlfcn|endian|errno|fcntl|malloc|poll|pthread|"
                            "sched|signal|spawn|stdio|stdlib|string|strings|syslog|termios|time|unistd)\\.h>")},

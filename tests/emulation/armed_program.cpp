@@ -27,8 +27,8 @@
 #include <thread>
 #include <utility>
 
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
 #include "device/falcon/emergency_handlers.h"
@@ -37,7 +37,7 @@
 #include "device/falcon_usb/ftdi_link.h"
 #include "device/servo/servo.h"
 #include "device/servo/servo_thread.h"
-#include "device/spacemouse_hid/hid_spacemouse_input.h"
+#include "device/spacemouse/hid_spacemouse_input.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/servo/motor_settings.h"
 #include "tests/emulation/orders.h"

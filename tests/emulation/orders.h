@@ -13,10 +13,10 @@
 #include <string_view>
 #include <thread>
 
-#include "core/motor_report.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/input/monotonic_clock.h"
+#include "device/report/motor_report.h"
 
 namespace ghostforce {
 

@@ -1,5 +1,5 @@
 // A SpaceMouse as the hand with the real hidapi, against devices that exist only at the kernel's boundary.
-#include "device/spacemouse_hid/hid_spacemouse_input.h"
+#include "device/spacemouse/hid_spacemouse_input.h"
 
 #include <chrono>
 #include <functional>

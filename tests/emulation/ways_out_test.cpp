@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"
 #include "tests/emulation/hand_in_scene.h"

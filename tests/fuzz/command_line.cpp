@@ -2,8 +2,8 @@
 #include <string>
 #include <vector>
 
+#include "app/base/failure.h"
 #include "app/cli/command_line.h"
-#include "app/console/failure.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

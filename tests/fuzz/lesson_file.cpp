@@ -1,7 +1,7 @@
 // A lesson file: it is read whole, or told to be wrong.
 #include <string>
 
-#include "app/lessons/lesson_file.h"
+#include "app/state/lesson_file.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
 #include "app/runs/replay_start.h"

@@ -59,7 +59,7 @@ TEST(DesktopFiles, NameTheSameThings) {
   EXPECT_NE(words.find("<mediatype>" + type + "</mediatype>"), std::string::npos);
   EXPECT_NE(project_file("assets/desktop/ghostforce-mime.xml").find("\"" + type + "\""), std::string::npos);
   // The window's own name, by which a desktop finds the entry.
-  const std::string window = project_file("app/desktop/opengl_window.cpp");
+  const std::string window = project_file("app/shell/desktop/opengl_window.cpp");
   EXPECT_EQ(all_in(window, R"re((?:CLASS_NAME|APP_ID), "([^"]+)"\))re"), std::vector<std::string>(2, "ghostforce"));
   EXPECT_NE(entry.find("\nStartupWMClass=ghostforce\n"), std::string::npos);
 }

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 
 namespace ghostforce {
 

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include "app/files/scene_file.h"
-#include "app/set_up/set_up.h"
+#include "app/state/set_up.h"
 #include "tests/support/any_value.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "app/set_up/set_up.h"
+#include "app/state/set_up.h"
 #include "tests/support/scene_values.h"
 
 namespace ghostforce {

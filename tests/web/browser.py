@@ -45,7 +45,7 @@ NAMED_KEYS = {
     "F5": Keys.F5, "F6": Keys.F6, "F7": Keys.F7, "F8": Keys.F8, "F9": Keys.F9,
 }  # fmt: skip
 
-# The page's own, where the browser keeps the desktop's for itself: app/session/front_keys.h.
+# The page's own, where the browser keeps the desktop's for itself: app/state/front_keys.h.
 HELP, LESSONS, DEVICE_STATUS, PLOTS, NEXT_THEME, SAVE_PICTURE = "KMDNCI"
 
 # At 1280×800, what no key does: the workbench's button that starts and ends a recording, and the choice of Spanish

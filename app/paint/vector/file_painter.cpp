@@ -9,7 +9,7 @@
 #include <cstring>
 #include <memory>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <freetype/freetype.h>
 
-#include "app/console/failure.h"
-#include "app/console/quoted.h"
+#include "app/base/failure.h"
+#include "app/base/quoted.h"
 #include "app/paint/font_file.h"
 
 namespace ghostforce {

@@ -4,7 +4,7 @@
 
 #include <cairo.h>
 
-#include "app/view/marks.h"
+#include "app/picture/marks.h"
 
 namespace ghostforce {
 

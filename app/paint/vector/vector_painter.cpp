@@ -14,7 +14,7 @@
 #include <numbers>
 #include <span>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/xml_text.h"
 #include "app/paint/vector/letters.h"
 #include "app/paint/vector/raster_painter.h"

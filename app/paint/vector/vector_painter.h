@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/view/panes.h"
-#include "app/view/theme.h"
+#include "app/picture/panes.h"
+#include "app/picture/theme.h"
 
 // Cairo's own names for what it draws on.
 using cairo_t = struct _cairo;  // NOLINT(readability-identifier-naming,bugprone-reserved-identifier)

@@ -6,11 +6,11 @@
 
 #include <gtest/gtest.h>
 
-#include "app/desktop/offscreen.h"
 #include "app/files/clip_file.h"
 #include "app/files/scene_file.h"
-#include "app/set_up/picture_set_up.h"
-#include "app/set_up/set_up_line.h"
+#include "app/shell/desktop/offscreen.h"
+#include "app/state/picture_set_up.h"
+#include "app/state/set_up_line.h"
 #include "tests/support/animated_png_reader.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/places.h"

@@ -10,12 +10,12 @@
 
 #include <nlohmann/json.hpp>
 
-#include "app/console/failure.h"
-#include "app/doctor/examination.h"
-#include "app/doctor/readiness.h"
-#include "app/doctor/udev_rule.h"
-#include "core/motor_report.h"
+#include "app/base/failure.h"
+#include "app/tools/doctor/examination.h"
+#include "app/tools/doctor/readiness.h"
+#include "app/tools/doctor/udev_rule.h"
 #include "core/scene.h"
+#include "device/report/motor_report.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"

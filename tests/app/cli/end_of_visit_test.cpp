@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/doctor/readiness.h"
-#include "app/live/spacemouse_input_link.h"
+#include "app/shell/spacemouse_input_link.h"
+#include "app/tools/doctor/readiness.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 

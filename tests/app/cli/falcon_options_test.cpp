@@ -9,9 +9,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/base/failure.h"
 #include "app/cli/exit_code.h"
-#include "app/console/failure.h"
-#include "app/doctor/diagnosis.h"
+#include "app/tools/doctor/diagnosis.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"
 

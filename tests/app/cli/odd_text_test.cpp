@@ -8,11 +8,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/console/unicode.h"
+#include "app/base/unicode.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_reader.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/view/theme.h"
+#include "app/picture/theme.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

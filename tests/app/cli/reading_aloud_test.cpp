@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/live/preferences.h"
-#include "tests/app/live/driven_window.h"
+#include "app/shell/preferences.h"
+#include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 

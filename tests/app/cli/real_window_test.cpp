@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "app/view/theme.h"
+#include "app/picture/theme.h"
 #include "tests/support/display.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

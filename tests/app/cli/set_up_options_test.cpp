@@ -7,9 +7,9 @@
 #include <gtest/gtest.h>
 #include <CLI/CLI.hpp>
 
-#include "app/console/shell_word.h"
-#include "app/set_up/picture_set_up.h"
-#include "app/set_up/set_up_line.h"
+#include "app/base/shell_word.h"
+#include "app/state/picture_set_up.h"
+#include "app/state/set_up_line.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"

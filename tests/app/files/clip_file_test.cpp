@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "tests/support/animated_png_reader.h"
 #include "tests/support/fake_ffmpeg.h"
 #include "tests/support/temporary_folder.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "core/units.h"
 #include "tests/support/temporary_folder.h"
 

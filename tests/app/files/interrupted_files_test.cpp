@@ -11,8 +11,8 @@
 #include <functional>
 #include <string>
 
-#include "app/console/failure.h"
-#include "app/console/interruption.h"
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
 #include "tests/support/before_waiting.h"

@@ -1,5 +1,5 @@
 // A file that the program keeps for itself: what comes back, what is set aside, and what is never overwritten. The
-// preferences' own tests go through more kinds of damage (tests/app/live/preferences_test.cpp).
+// preferences' own tests go through more kinds of damage (tests/app/shell/preferences_test.cpp).
 #include "app/files/kept_file.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::kept_file_test {

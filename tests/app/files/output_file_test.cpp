@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/output_folder.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/places.h"

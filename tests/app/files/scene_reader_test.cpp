@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/console/quoted.h"
+#include "app/base/quoted.h"
 #include "tests/app/files/scene_with.h"
 #include "tests/support/scene_values.h"
 

@@ -9,12 +9,12 @@
 #include <string>
 #include <thread>
 
-#include "app/console/failure.h"
+#include "app/base/failure.h"
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
-#include "tests/app/live/driven_window.h"
+#include "tests/app/shell/driven_window.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/small_files.h"
 #include "tests/support/temporary_folder.h"

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "app/desktop/glfw_window.h"
 #include "app/files/image.h"
 #include "app/paint/gl_painter.h"
 #include "app/paint/vector/vector_painter.h"
+#include "app/shell/desktop/glfw_window.h"
 #include "tests/app/paint/vector/vector_panes.h"
 
 namespace ghostforce {

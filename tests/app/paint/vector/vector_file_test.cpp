@@ -17,12 +17,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cli/desktop_inputs.h"
-#include "app/desktop/glfw_window.h"
 #include "app/files/scene_file.h"
-#include "app/live/application.h"
 #include "app/paint/vector/file_painter.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/view/layers.h"
+#include "app/picture/layers.h"
+#include "app/shell/application.h"
+#include "app/shell/desktop/glfw_window.h"
 #include "tests/app/paint/vector/vector_panes.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"

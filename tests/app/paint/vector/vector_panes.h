@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
-#include "app/desktop/offscreen.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
+#include "app/shell/desktop/offscreen.h"
 
 namespace ghostforce {
 

@@ -1,0 +1,127 @@
+#include "app/picture/layers.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double proxy_radius = 7.6;  // [points]
+constexpr double goal_radius = 10.5;
+constexpr double pale_size = 0.72;  // of the strategies that are not active,
+constexpr double pale_share = 0.5;  // and of their colour
+
+void add_pale(const View& view, StrategyId id, Marks& marks) {
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
+  const Shape shape = strategy_style(id).shape;
+  const Colour paper = view.theme.background;
+  const Colour colour = pale_colour(view.theme, id);
+  if (now.in_contact) {
+    marks.push_back({Role::proxy, id,
+                     Marker{now.proxy, shape, view.points(pale_size * proxy_radius), paper, colour, view.points(1.6)}});
+  }
+  const bool is_hollow = view.is_predicted(id);
+  marks.push_back({Role::device, id,
+                   Marker{now.device, shape, view.points(pale_size * device_radius), is_hollow ? paper : colour,
+                          is_hollow ? colour : paper, view.points(1.4)}});
+}
+
+}  // namespace
+
+Colour pale_colour(const Theme& theme, StrategyId id) noexcept {
+  return mix(theme.background, theme.strategy[index_of(id)], pale_share);
+}
+
+double reach_of(Shape shape) noexcept {
+  switch (shape) {
+    case Shape::disc:
+      return 1.0;
+    case Shape::diamond:
+      return 1.3;
+    case Shape::triangle:
+      return 1.57;
+  }
+  return 1.0;
+}
+
+void add_hand(const View& view, Marks& marks) {
+  const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
+  const LinePattern dots{view.points(2.0), view.points(5.0), view.points(2.0), view.points(5.0)};
+  marks.push_back({Role::hand_spring, std::nullopt,
+                   Line{view.snapshot.goal, device, view.points(2.0), view.theme.faint_text, dots}});
+}
+
+void add_others(const View& view, Marks& marks) {
+  for_each_shown(view, [&](StrategyId id) {
+    if (!view.in_front(id)) add_pale(view, id, marks);
+  });
+}
+
+void add_proxy(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
+  if (!now.in_contact) return;  // in free space the proxy is the device
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Vector<2> tick = wall_of(view.settings).normal * view.metres(7.0);
+  marks.push_back(
+      {Role::tracking_link, id, Line{now.device, now.proxy, view.points(1.4), mix(view.theme.wall, colour, 0.7)}});
+  marks.push_back({Role::contact, id, Line{now.contact - tick, now.contact + tick, view.points(2.2), colour}});
+  marks.push_back({Role::proxy, id,
+                   Marker{now.proxy, strategy_style(id).shape, view.points(proxy_radius), view.theme.background, colour,
+                          view.points(2.2)}});
+}
+
+// Filled: the device itself; measured, it has an eye. Hollow: it is only simulated beside a measured one.
+void add_device(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const Vector<2> at = view.snapshot.strategies[index_of(id)].device;
+  const Shape shape = strategy_style(id).shape;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const Colour paper = view.theme.background;
+  if (view.is_predicted(id)) {
+    marks.push_back(
+        {Role::device, id,
+         Marker{at, shape, view.points(0.9 * device_radius), paper.with_alpha(150), colour, view.points(1.6)}});
+    return;
+  }
+  marks.push_back({Role::device, id, Marker{at, shape, view.points(device_radius), colour, paper, view.points(1.6)}});
+  if (view.snapshot.measured == id) {
+    marks.push_back(
+        {Role::device, id, Marker{at, Shape::disc, view.points(0.3 * device_radius), paper, colour, view.points(0.5)}});
+  }
+}
+
+void add_goal(const View& view, Marks& marks) {
+  const Vector<2> goal = view.snapshot.goal;
+  const Colour rim = view.theme.goal_rim;
+  const double arm = view.metres(goal_radius + 5.0);
+  // Hollow: nobody gave it, it is inferred.
+  const bool is_estimated = view.snapshot.measured.has_value();
+  const auto disc = [&](double radius, Colour fill, Colour line, double width) {
+    marks.push_back(
+        {Role::goal, std::nullopt, Marker{goal, Shape::disc, view.points(radius), fill, line, view.points(width)}});
+  };
+  if (is_estimated) {
+    disc(goal_radius, rim.with_alpha(0), rim, 5.2);
+    disc(goal_radius, rim.with_alpha(0), view.theme.goal, 2.6);
+  } else {
+    disc(goal_radius, view.theme.goal, rim, 2.2);
+  }
+  if (view.is_goal_hot) {
+    marks.push_back({Role::goal, std::nullopt,
+                     Marker{goal, Shape::disc, view.points(goal_radius + 11.0), rim.with_alpha(0), view.theme.accent,
+                            view.points(2.4)}});
+  }
+  for (const Vector<2>& direction : {Vector<2>(arm, 0.0), Vector<2>(0.0, arm)}) {
+    marks.push_back({Role::goal, std::nullopt, Line{goal - direction, goal + direction, view.points(1.8), rim}});
+  }
+}
+
+void add_goal_in_device(const View& view, Marks& marks) {
+  constexpr double dot_radius = 4.5;
+  const Vector<2> device = view.snapshot.strategies[index_of(view.settings.active)].device;
+  const bool is_covered = glm::distance(device, view.snapshot.goal) < view.metres(device_radius);
+  if (view.snapshot.measured || !is_covered) return;
+  marks.push_back({Role::goal, std::nullopt,
+                   Marker{view.snapshot.goal, Shape::disc, view.points(dot_radius), view.theme.goal,
+                          view.theme.goal_rim, view.points(1.6)}});
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,19 @@
+// Words broken into lines that are about as long as each other, so that no word is left alone. Pure, any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/picture/view.h"
+
+namespace ghostforce {
+
+// As few lines as can be that are no wider than this, but for a single word that is.
+std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
+                                           const MeasureText& measure);
+
+// Two lines; a single word stays one.
+std::vector<std::string> broken_in_two(std::string_view words, const TextStyle& style, const MeasureText& measure);
+
+}  // namespace ghostforce

@@ -1,9 +1,0 @@
-#include "app/session/front_keys.h"
-
-namespace ghostforce {
-
-const FrontKeys& front_keys() noexcept {
-  return keys_on_desktop;
-}
-
-}  // namespace ghostforce

@@ -1,0 +1,61 @@
+// The circle test: leads the circle along with the wall, and measures what each turn makes of energy.
+#include "app/shell/portable_inputs.h"
+#include "app/state/circle_test.h"
+#include "app/workbench/panel_catalog.h"
+#include "core/loop_energy.h"
+#include "device/input/circle_input.h"
+
+namespace ghostforce {
+namespace {
+
+class CircleInputLink final : public InputLink {
+ public:
+  CircleInputLink(CircleInput& input, const Scene&, const InputOptions&) : input_(input) {}
+
+  void begin(Session& session) override {
+    session.folded_panels.erase(std::string(passivity_panel));
+    // The sense that is worth seeing: a wall that is rendered naïvely gives energy to the hand.
+    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
+    session.circle_test.is_on = true;
+    session.circle_test.has_news = true;
+    measure(session);
+  }
+
+  void add(const Snapshot& snapshot) override { meter_.add(snapshot); }
+  void fill(LoopReading& reading) const override { reading.circle = meter_.reading(); }
+
+  void send(Session& session, double /*interval_s*/) override {
+    // The circle lies in the wall as it is now. While the wall is being turned it waits.
+    const Circle circle = circle_of(session);
+    if (circle != sent_circle_ && !session.is_editing) {
+      input_.go_round(circle);
+      sent_circle_ = circle;
+      ++session.restarts_asked;
+    }
+    // All strategies are measured, whichever is the active one.
+    settings_.active = session.settings.active;
+    if (session.settings != settings_ || session.restarts_asked != restarts_) measure(session);
+  }
+
+ private:
+  void measure(const Session& session) {
+    settings_ = session.settings;
+    restarts_ = session.restarts_asked;
+    meter_.start(settings_, sent_circle_);
+  }
+
+  CircleInput& input_;
+  Circle sent_circle_;
+  CircleEnergyMeter meter_;
+  // What the meter measures.
+  Settings settings_;
+  std::uint32_t restarts_ = 0;
+};
+
+}  // namespace
+
+InputEntry circle_entry() {
+  return linked<CircleInputLink>(circle_kind);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,101 @@
+// Picture: a scene at one moment, without a window on a display. What `render` writes, `check` compares and figures
+// are made of. The same request gives the same picture. Main thread only (OpenGL offscreen).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "app/files/image.h"
+#include "app/picture/panes.h"
+#include "app/picture/trail_history.h"
+#include "app/shell/desktop/lesson_picture.h"
+#include "app/shell/desktop/renderer.h"
+#include "app/shell/screen.h"
+#include "app/state/set_up.h"
+#include "core/hand_estimator.h"
+#include "core/loop_energy.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+inline constexpr int smallest_picture = 64;  // [px] each way
+inline constexpr int largest_picture = 4096;
+
+struct PictureRequest {
+  Scene scene;
+  std::optional<double> at_s;  // empty: the scene's duration
+  int width = 1280;            // [px]
+  int height = 800;
+  Part part = Part::window;
+  Face face = Face::workbench;
+  StageMode mode = StageMode::none;  // of the stage
+  ViewOptions options{.compare = Compare::active_only};
+  Appearance appearance{};
+  std::string language{"en"};             // of the stage
+  std::optional<LessonPicture> lesson{};  // of the stage
+  // Of the stage: the scene alone, without words and buttons round it, and without the ring of a guess: to be printed.
+  bool is_bare = false;
+  bool hides_handle =
+      false;  // with it: nor is there a handle, or what follows from where it is, as while it is guessed
+  std::optional<Renderer> renderer{};  // of pixels; empty: the usual one
+};
+
+// The word that --strategy and a case file hold: a strategy's name shows that one alone, "all" shows the scene's own
+// with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
+bool apply_strategy_word(std::string_view word, PictureRequest& request);
+
+// A step of a lesson: scene, face and mode are as the step has them; what no step has stated yet stays as it is. Only for
+// a picture without problems.
+void show_lesson_in(PictureRequest& request, LessonPicture lesson);
+
+// The moment: the scene simulated from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where
+// the loop is unstable; interrupted.
+struct Moment {
+  Snapshot snapshot;
+  History history;
+  std::optional<CircleReading> circle{};  // of Round and round, for which the hand goes round twice
+  std::optional<HandEstimate> hand{};     // of measuring the hand, from that moment on
+};
+Moment simulate_to_moment(const PictureRequest& request);
+
+// What the picture shows, as somebody would have it in the window.
+SetUp set_up_of(const PictureRequest& request, const Moment& moment);
+
+// The scene's marks, as a painter of vectors wants them.
+std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& moment, const Vector<2>& size,
+                                 const MeasureText& measure);
+
+// Drawn by the screen's own code with OpenGL. Throws Failure(no_display).
+struct Drawing {
+  Image image;
+  std::vector<Pane> panes;
+  Vector<2> corner;      // of the scene in the picture [points]
+  std::string graphics;  // renderer and version of OpenGL
+};
+Drawing draw_moment(const PictureRequest& request, const Moment& moment);
+
+// Moments at even distances, from the first time until before the other [s]: a clip that long. `from_s` < `to_s`.
+struct ClipTimes {
+  double from_s = 0.0;
+  double to_s = 0.0;
+  int frames_per_second = 30;
+};
+std::int64_t frame_count(const ClipTimes& times) noexcept;
+double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept;
+
+// The same at each of these moments, from one simulation, and by one screen: like in the window, words and panels stay
+// where they are from one picture to the next. The stage's view holds the whole way of the hand. `take` gets each
+// picture in turn. `request.at_s` has no meaning here. Throws what the two above throw.
+void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take);
+
+// What was drawn, for scripts and tests.
+nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,
+                                        const std::vector<Pane>& panes, const Vector<2>& corner);
+
+}  // namespace ghostforce

@@ -1,0 +1,98 @@
+// InputLink: what the window does with the input in use, frame by frame, and what that input shows on the screen. The
+// servo owns the input; its link, made together with it, is the only one here that knows of which class it is. A new
+// input with something to show is a file for the input, a file for its link, and a row in each catalog. UI thread.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/base/failure.h"
+#include "app/state/session.h"
+#include "core/snapshot.h"
+#include "device/input_catalog.h"
+
+namespace ghostforce {
+
+// How a visit at the window ended: for scripts a number, for the people who read their logs a sentence.
+struct EndOfVisit {
+  ExitCode code = ExitCode::done;
+  std::string words;  // empty where all went well
+};
+
+// As it is, for an input with which nothing is to be done.
+class InputLink {
+ public:
+  InputLink() = default;
+  InputLink(const Input&, const Scene&, const InputOptions&) {}
+  InputLink(const InputLink&) = delete;
+  InputLink& operator=(const InputLink&) = delete;
+  virtual ~InputLink() = default;
+
+  // Once, before the first tick of the input. What the input changes in how the window behaves it says to the session.
+  virtual void begin(Session& /*session*/) {}
+
+  // Each sample of the run that is on the screen, in their order.
+  virtual void add(const Snapshot& /*snapshot*/) {}
+
+  // Often, whether a frame is drawn or not: what the input knows by now.
+  virtual void look() {}
+
+  // What of that the screen shows; everything that is not the input's is in the reading already.
+  virtual void fill(LoopReading& /*reading*/) const {}
+
+  // At the end of a frame, before the session goes to the servo: what the input is told. `interval_s`: of real time.
+  virtual void send(Session& /*session*/, double /*interval_s*/) {}
+
+  // Nothing comes from the input while the person does nothing and time is paused: it need not be looked at often.
+  virtual bool is_idle() const noexcept { return true; }
+
+  // A device is looked for or opened, which takes the system as long as it takes: ticks that come late meanwhile say
+  // nothing about the loop.
+  virtual bool is_opening() const noexcept { return false; }
+
+  // What the reading's draw_input shows has changed since the last frame; the rest of the reading tells it by itself.
+  virtual bool has_news() const noexcept { return false; }
+
+  // Why another input may not take its place now, in words; empty: it may.
+  virtual std::string why_not_leave() { return {}; }
+
+  // Where the readiness that it shows does not tell it.
+  virtual EndOfVisit end() const { return {}; }
+};
+
+struct LinkedInput {
+  std::unique_ptr<Input> input;
+  std::unique_ptr<InputLink> link;  // must not outlive the input
+};
+
+// A row of the list of inputs that the window is given.
+struct InputEntry : InputKind {
+  std::function<LinkedInput(const Scene&, const InputOptions&)> make;
+};
+
+// The row for what this maker makes: each with a Link(input, scene, options, more...).
+template <typename Link, typename Made, typename... More>
+InputEntry linked(const InputMaker<Made>& maker, const More&... more) {
+  return {maker, [make = maker.make, more...](const Scene& scene, const InputOptions& options) {
+            std::unique_ptr<Made> input = make(scene, options);
+            auto link = std::make_unique<Link>(*input, scene, options, more...);
+            return LinkedInput{std::move(input), std::move(link)};
+          }};
+}
+
+// The input in the hand of the scene, which may tremble, drift and change its grip; a virtual device has such a hand
+// itself.
+LinkedInput make_in_hand_of(const Scene& scene, const InputEntry& entry, const InputOptions& options);
+
+// Null when none has that name.
+const InputEntry* find_input(std::span<const InputEntry> inputs, std::string_view name) noexcept;
+
+// The inputs as a person may choose among them. `has_recording`: one is loaded that can be replayed.
+std::vector<InputChoice> choices_of(std::span<const InputEntry> inputs, bool has_recording);
+
+}  // namespace ghostforce

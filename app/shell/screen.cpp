@@ -1,0 +1,156 @@
+#include "app/shell/screen.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/paint/label_painter.h"
+#include "app/shell/fixed_window.h"
+#include "app/widgets/focus.h"
+#include "app/widgets/style.h"
+#include "app/widgets/tooltips.h"
+#include "app/workbench/dialogs.h"
+#include "app/workbench/motor_control.h"
+#include "app/workbench/plot_pieces.h"
+
+namespace ghostforce {
+namespace {
+
+Image cut_out(const Image& image, int left, int top, int width, int height) {
+  Image part{std::clamp(width, 1, image.width - left), std::clamp(height, 1, image.height - top), {}};
+  part.rgb.reserve(3U * static_cast<std::size_t>(part.width) * static_cast<std::size_t>(part.height));
+  for (int y = top; y < top + part.height; ++y) {
+    const auto begin = image.rgb.begin() + 3 * (static_cast<std::ptrdiff_t>(y) * image.width + left);
+    part.rgb.insert(part.rgb.end(), begin, begin + 3 * static_cast<std::ptrdiff_t>(part.width));
+  }
+  return part;
+}
+
+}  // namespace
+
+Screen::Screen(Window& window, Part part)
+    : window_(window),
+      part_(part),
+      drawing_(std::make_unique<Drawing>(window.fonts())),
+      measure_(measure_with(window.fonts())),
+      workbench_(window.fonts()) {}
+
+void Screen::restart_drawing() {
+  drawing_ = std::make_unique<Drawing>(window_.fonts());
+}
+
+void Screen::take_keys(const Session& session, const ActionSink& apply) {
+  keyboard_.take(window_, session, apply);
+}
+
+void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
+                  const LoopReading& loop, double interval_s) {
+  if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
+  // The style must not change within a frame.
+  apply_appearance(session.appearance);
+  window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
+}
+
+void Screen::wait(const Session& session, double interval_s) noexcept {
+  if (session.face == Face::stage) stage_.wait(interval_s);
+}
+
+bool Screen::is_moving(const Session& session) const noexcept {
+  return Keyboard::is_waiting(window_) || (session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving());
+}
+
+Image Screen::picture(const Session& session, const ShownMoment& moment, const History& history,
+                      const LoopReading& loop, Part part, int density) {
+  // Nobody can take hold of a picture or follow its hints.
+  Session copy = session;
+  copy.hint.reset();
+  copy.has_handles = false;
+  const Image image = window_.picture_of(density, [&] {
+    draw_everything(copy, [](const Action&) {}, moment, history, loop, {part_, false, 0.0});
+  });
+  if (part == Part::window) return image;
+  const auto pixels = [&](double points) {
+    return static_cast<int>(std::lround(points * image.width / static_cast<double>(ImGui::GetIO().DisplaySize.x)));
+  };
+  return cut_out(image, pixels(static_cast<double>(scene_corner_.x)), pixels(static_cast<double>(scene_corner_.y)),
+                 pixels(scene_size_.x), pixels(scene_size_.y));
+}
+
+void Screen::apply_appearance(const Appearance& appearance) {
+  const float scale = static_cast<float>(appearance.scale) * window_.display_scale();
+  if (appearance == styled_appearance_ && scale == styled_scale_) return;
+  apply_style(*appearance.theme, scale);
+  apply_plot_style(*appearance.theme, scale);
+  styled_appearance_ = appearance;
+  styled_scale_ = scale;
+}
+
+void Screen::draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment,
+                             const History& history, const LoopReading& loop, const Frame& frame) {
+  const Theme& theme = *styled_appearance_.theme;
+  const PanelContext context{session, apply,           session,       moment.snapshot,   moment.settings,  loop,
+                             theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
+  if (frame.is_live) keep_tooltips_from_drags();
+  if (session.face == Face::stage) {
+    draw_stage(context, moment, history, frame);
+  } else {
+    workbench_.draw(context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
+    panes_ = workbench_.panes();
+    scene_corner_ = workbench_.scene_corner();
+    scene_size_ = workbench_.scene_size();
+  }
+  if (frame.is_live) {
+    session.is_editing = ImGui::IsAnyItemActive();
+    hints_.follow(session);
+  }
+  const double text_scale = text_scale_of(session.face, static_cast<double>(styled_scale_), theme);
+  if (session.face == Face::stage && session.stage.is_black && frame.is_live) {
+    Theme black = theme;
+    black.background = rgb(0x000000);
+    drawing_->painter.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+  } else {
+    drawing_->painter.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+  }
+  if (!frame.is_live) return;
+  const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};
+  draw_shader_problem(context, scene_corner_, size);
+  draw_notice(context, scene_corner_, size);
+  draw_dialog(context);
+  draw_focus_ring(theme, styled_scale_);
+}
+
+void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history,
+                        const Frame& frame) {
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  scene_corner_ = {0.0F, 0.0F};
+  scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y)};
+  const StageFrame stage_frame{
+      moment, history, context.loop, context.theme, measure_, scene_size_, static_cast<double>(context.scale)};
+  if (!frame.is_live) {
+    panes_ = {stage_.still(context.session, stage_frame).pane};
+    return;
+  }
+  begin_screen("stage");
+  stage_.update(context.edited, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
+  draw_motor_frame(context);
+  if (context.session.stage.is_black) draw_motor_words(context);
+  ImGui::End();
+  panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
+}
+
+StageReading Screen::stage_reading(const Session& session, const ShownMoment& moment, const History& history,
+                                   const LoopReading& loop) const {
+  return stage_.reading(session, {moment, history, loop, *session.appearance.theme, measure_, scene_size_,
+                                  static_cast<double>(styled_scale_)});
+}
+
+std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
+                                         const LoopReading& loop, const MeasureText& measure) const {
+  const double scale = static_cast<double>(styled_scale_);
+  if (session.face == Face::workbench) {
+    return workbench_.panes_for_file(session, moment, history, loop, measure, scale);
+  }
+  return {stage_.still(session, {moment, history, loop, *session.appearance.theme, measure, scene_size_, scale}).pane};
+}
+
+}  // namespace ghostforce

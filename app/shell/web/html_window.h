@@ -1,0 +1,62 @@
+// The page's window: a canvas with WebGL 2 that fills the browser's tab, and what is done there with keyboard, mouse,
+// pen and fingers. The browser calls; there is one at a time.
+#pragma once
+
+#include <cstdint>
+
+#include "app/shell/web/touch_gestures.h"
+#include "app/shell/window.h"
+
+namespace ghostforce {
+
+class HtmlWindow final : public Window {
+ public:
+  // On the page's canvas. Throws Failure(no_display): the browser has no WebGL 2.
+  HtmlWindow();
+  ~HtmlWindow() override;
+
+  // The browser may take WebGL away, and it comes back by itself. Meanwhile nothing can be drawn; afterwards all that
+  // was made with it must be made anew, which is asked for once.
+  bool can_draw() const noexcept { return !is_lost_; }
+  bool take_restored() noexcept;
+  int context_losses() const noexcept { return context_losses_; }
+
+  // A tab belongs to the browser: it closes, moves and resizes it.
+  bool should_close() const override { return false; }
+  void close() override {}
+  void stay_open() override {}
+  void set_title(const std::string& title) override;
+  void resize(int /*width*/, int /*height*/) override {}
+  bool is_maximized() const override { return false; }
+  void maximize() override {}
+  void restore(int /*width*/, int /*height*/) override {}
+  WindowSize restored_size() const override { return size_; }
+
+  float display_scale() const override { return 1.0F; }  // ImGui draws denser by itself
+  void toggle_full_screen() override;
+  bool is_full_screen() const override;
+  bool has_focus() const override;
+  void set_clipboard_text(const std::string& text) override;
+  std::string clipboard_text() const override;
+  DisplayKind display_kind() const override { return DisplayKind::none; }
+
+ protected:
+  WindowSize framebuffer_size() const override { return pixels_; }
+  void take_events(double wait_s) override;
+  void begin_imgui_frame() override;
+  void show_frame() override {}  // the browser does when the frame's function returns
+
+ private:
+  struct Events;
+  void listen();
+
+  std::uintptr_t context_ = 0;
+  WindowSize size_;    // of the canvas [CSS pixels]
+  WindowSize pixels_;  // [px]
+  TouchGestures touches_;
+  bool is_lost_ = false;
+  bool is_restored_ = false;
+  int context_losses_ = 0;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,215 @@
+#include "app/shell/window.h"
+
+#include <fmt/format.h>
+#include <imgui_impl_opengl3.h>
+#include <implot.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+#include "app/paint/canvas.h"
+#include "app/paint/font_file.h"
+#include "app/paint/font_texture.h"
+#include "app/shell/imgui_keys.h"
+#include "app/shell/key_layout.h"
+#include "app/state/keys.h"
+
+namespace ghostforce {
+namespace {
+
+void draw_on_framebuffer() {
+  whiten_empty_texels(*ImGui::GetDrawData());
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace
+
+Window::Window() {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImPlot::CreateContext();
+  ImGuiIO& io = ImGui::GetIO();
+  io.IniFilename = nullptr;  // nothing is written to the working directory
+  io.LogFilename = nullptr;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+}
+
+Window::~Window() {
+  ImPlot::DestroyContext();
+  ImGui::DestroyContext();
+}
+
+void Window::start_drawing(bool takes_mouse) {
+  // What may throw comes first: nobody calls stop_drawing() then.
+  const std::string regular = font_file(label_font_file);
+  const std::string bold = font_file(bold_label_font_file);
+  const std::string number = font_file("DejaVuSansMono.ttf");
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigFlags |= takes_mouse ? ImGuiConfigFlags_None : ImGuiConfigFlags_NoMouse;
+  ImGui_ImplOpenGL3_Init(gl::shader_version);
+  fonts_.regular = io.Fonts->AddFontFromFileTTF(regular.c_str());
+  fonts_.bold = io.Fonts->AddFontFromFileTTF(bold.c_str());
+  fonts_.number = io.Fonts->AddFontFromFileTTF(number.c_str());
+}
+
+void Window::stop_drawing() noexcept {
+  ImGui_ImplOpenGL3_Shutdown();
+}
+
+void Window::restart_drawing() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui_ImplOpenGL3_Init(gl::shader_version);
+}
+
+int Window::pixel_width() const {
+  return framebuffer_size().width * density_;
+}
+
+int Window::pixel_height() const {
+  return framebuffer_size().height * density_;
+}
+
+void Window::note_act() noexcept {
+  note_change();
+  touch_.has_acted = true;
+}
+
+void Window::note_move() noexcept {
+  note_change();
+  touch_.has_moved = true;
+}
+
+Window::Touch Window::take_touch() noexcept {
+  return std::exchange(touch_, {});
+}
+
+void Window::add_key_event(KeyPress press, const char* printed, bool is_down) {
+  note_act();
+  // X11 tells the modifiers as they were before a modifier's own key.
+  const int own = modifier_of(press.key);
+  press.modifiers = is_down ? press.modifiers | own : press.modifiers & ~own;
+  press.key = key_by_layout(press.key, printed);
+  key_events_.push_back({.press = press, .is_down = is_down});
+  awaits_character_ = is_down;
+}
+
+void Window::add_character(std::uint32_t character) {
+  note_act();
+  if (!std::exchange(awaits_character_, false) || key_events_.empty()) {
+    key_events_.push_back({.press = {}, .character = character});
+    return;
+  }
+  KeyEvent& event = key_events_.back();
+  event.press = press_by_character(event.press, character);
+  event.character = character;
+}
+
+void Window::hand_on(const KeyEvent& event) {
+  ImGuiIO& io = ImGui::GetIO();
+  if (event.press.key != 0) {
+    const auto is_held = [&](int which) { return (event.press.modifiers & which) != 0; };
+    io.AddKeyEvent(ImGuiMod_Ctrl, is_held(modifier::control));
+    io.AddKeyEvent(ImGuiMod_Shift, is_held(modifier::shift));
+    io.AddKeyEvent(ImGuiMod_Alt, is_held(modifier::alt));
+    io.AddKeyEvent(ImGuiMod_Super, is_held(modifier::super));
+    // By themselves these keys would open menus that there are not.
+    if (modifier_of(event.press.key) == 0) io.AddKeyEvent(imgui_key(event.press.key), event.is_down);
+  }
+  if (event.character != 0) io.AddInputCharacter(event.character);
+}
+
+void Window::add_dropped_files(std::vector<std::string> paths) {
+  note_change();
+  std::ranges::move(paths, std::back_inserter(dropped_files_));
+}
+
+std::vector<std::string> Window::take_dropped_files() {
+  return std::exchange(dropped_files_, {});
+}
+
+bool Window::poll(double wait_s) {
+  take_events(wait_s);
+  return std::exchange(is_stirred_, false);
+}
+
+void Window::begin_frame(double interval_s) {
+  ImGui_ImplOpenGL3_NewFrame();
+  begin_imgui_frame();
+  // In place of the one that a backend measures by its own clock. ImGui wants time to pass in every frame.
+  ImGui::GetIO().DeltaTime = static_cast<float>(std::max(interval_s, 1e-6));
+}
+
+void Window::frame(double interval_s, const std::function<void()>& draw) {
+  begin_frame(interval_s);
+  ImGui::NewFrame();
+  draw();
+  ImGui::Render();
+  if (pixel_width() > 0 && pixel_height() > 0) draw_on_framebuffer();
+  show_frame();
+}
+
+void Window::set_visible_drawing(bool is_on) {
+  (is_on ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
+}
+
+Image Window::picture() const {
+  const int width = pixel_width(), height = pixel_height();
+  // With alpha: without it, a browser's OpenGL reads nothing.
+  const std::size_t row = 4 * static_cast<std::size_t>(width);
+  std::vector<unsigned char> rgba(row * static_cast<std::size_t>(height));
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+  Image image{width, height, {}};
+  image.rgb.resize(rgba.size() / 4 * 3);
+  std::size_t written = 0;
+  // OpenGL counts rows from below.
+  for (auto y = static_cast<std::size_t>(height); y-- > 0;) {
+    for (std::size_t at = row * y; at < row * (y + 1); at += 4) {
+      for (std::size_t channel = 0; channel < 3; ++channel) image.rgb[written++] = rgba[at + channel];
+    }
+  }
+  return image;
+}
+
+Image Window::picture_of(int density, const std::function<void()>& draw) {
+  GLint before = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+  // Whatever happens, the next frame is the window's again.
+  struct Guard {
+    int& density;
+    GLuint framebuffer;
+    ~Guard() {
+      density = 1;
+      glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    }
+  } const guard{density_, static_cast<GLuint>(before)};
+  density_ = density;
+  const gl::Canvas canvas(pixel_width(), pixel_height());
+
+  begin_frame(0.0);
+  ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 pointer = io.MousePos;
+  io.DisplayFramebufferScale.x *= static_cast<float>(density);
+  io.DisplayFramebufferScale.y *= static_cast<float>(density);
+  io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
+  ImGui::NewFrame();
+  draw();
+  ImGui::Render();
+  draw_on_framebuffer();
+  Image image = picture();
+  io.AddMousePosEvent(pointer.x, pointer.y);
+  return image;
+}
+
+std::string Window::graphics_description() {
+  const auto text = [](GLenum name) {
+    const GLubyte* value = glGetString(name);
+    return value != nullptr ? reinterpret_cast<const char*>(value) : "unknown";
+  };
+  return fmt::format("{}, OpenGL {}", text(GL_RENDERER), text(GL_VERSION));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,47 @@
+// Where the landscape's map, its dial and its words lie in a picture: what is drawn and what the pointer takes hold of
+// come from here. Screen points, y down. Pure, any thread; finite for any size.
+//
+// The lower 0.16 of the height stays free, for the stage's buttons, and the upper right corner, for its icons.
+#pragma once
+
+#include <cstdint>
+
+#include "app/picture/screen_box.h"
+#include "app/state/landscape.h"
+
+namespace ghostforce {
+
+// In em: a line of text, from the highest to the lowest letter; and from the map's frame to its numbers, so that the
+// ring may stand on the frame.
+inline constexpr double line_height = 1.17;
+inline constexpr double beside_map = 0.85;
+
+struct LandscapeLayout {
+  Vector<2> size{1.0};  // of the picture
+  double em = 1.0;      // of its smallest letters: 1/30 of the height, times the unit as far as it fits
+  ScreenBox map;        // θ to the right, log κ upwards
+  ScreenBox column;     // words and dial, to its left
+  ScreenBox scale;      // of the colours, to its right; its numbers follow
+  ScreenBox dial;       // the way of the knob's middle, naïve at its left end
+  double axis_title_top = 0.0;
+  double ring_radius = 1.0;
+  double knob_radius = 1.0;
+};
+
+// `unit`: the UI scale times the theme's thickness. Pictures that are narrower than 4:3 have smaller letters.
+LandscapeLayout landscape_layout(const Vector<2>& size, double unit) noexcept;
+
+// The nearest place on the map, for a set-up that lies beyond it.
+Vector<2> ring_at(const LandscapeLayout& layout, const LandscapePoint& point) noexcept;
+// The nearest set-up of the map, for a pointer that has left it.
+LandscapePoint landscape_point_under(const LandscapeLayout& layout, const Vector<2>& screen) noexcept;
+bool is_on_map(const LandscapePoint& point) noexcept;
+
+Vector<2> knob_at(const LandscapeLayout& layout, double dial) noexcept;
+double dial_under(const LandscapeLayout& layout, const Vector<2>& screen) noexcept;
+
+// What a press takes hold of. The ring comes to wherever on the map one presses.
+enum class LandscapeHandle : std::uint8_t { none, ring, dial };
+LandscapeHandle landscape_handle_under(const LandscapeLayout& layout, const Vector<2>& screen) noexcept;
+
+}  // namespace ghostforce

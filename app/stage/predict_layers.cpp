@@ -1,0 +1,83 @@
+// Predict: a ring to drag to where one thinks that the handle comes to rest. The answer is hidden until it is asked for.
+#include <glm/geometric.hpp>
+
+#include "app/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double guess_radius = 20.0;
+
+}  // namespace
+
+void keep_guess_clear(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.guess.at) return;
+  const Vector<2> at = canvas.at(*content.guess.at);
+  canvas.labels.keep_clear(at, at, canvas.points(guess_radius) + canvas.width(2.0));
+}
+
+void add_guess(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageGuess& guess = content.guess;
+  if (!guess.at) return;
+  // A lesson has other things to say above.
+  const StageLanguage::Labels& all = content.language.labels;
+  const std::string words = guess.is_open                       ? std::string(all.guess_to_drag)
+                            : content.lesson && guess.missed_by ? filled(all.guess_off, slide_number(*guess.missed_by))
+                                                                : std::string(all.guess);
+  const Theme& theme = content.theme;
+  const Vector<2> at = canvas.at(*guess.at);
+  const double radius = canvas.points(guess_radius);
+  canvas.ring(Role::guess, at, radius, canvas.width(4.0), faded(theme.accent, guess.is_open ? 1.0 : 0.55));
+  canvas.label(Role::guess,
+               {StageLabel::guess,
+                {words},
+                layout.letters.bold_words,
+                at,
+                at,
+                radius + canvas.width(2.0),
+                Vector<2>(-0.4, -1.0)},
+               theme.accent);
+}
+
+namespace {
+
+void add_predict(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  keep_guess_clear(layer);
+  if (!content.guess.is_open && !content.hides.handle) {
+    add_whole_scene(layer);
+    add_guess(layer);
+    return;
+  }
+  // Where the handle is shall not be seen: the rail lies through the hand, and the spring leads to the guess.
+  StageContent question = content;
+  question.moment.handle = question.moment.proxy = content.moment.goal;
+  const StageLayer asked{question, layout, canvas};
+  add_stage_wall(asked);
+  add_rail(asked);
+  if (content.guess.at) {
+    canvas.coil(Role::hand_spring, canvas.at(*content.guess.at), canvas.at(content.moment.goal), 9, canvas.width(3.0),
+                content.theme.text);
+  }
+  add_stage_hand(layer);
+  add_guess(layer);
+  add_hand_words(layer);
+  add_motor_words(asked);
+}
+
+std::string predict_sentence(const StageContent& content) {
+  const StageLanguage::Sentences& all = content.language.sentences;
+  if (content.guess.missed_by) return filled(all.guess_was_off, slide_number(*content.guess.missed_by));
+  if (!content.guess.is_open) return std::string(all.guess_is_tried);
+  if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);
+  const bool has_two = content.settings.active == StrategyId::full;
+  return std::string(has_two ? all.guess_with_two_motors : all.guess_with_one_motor);
+}
+
+}  // namespace
+
+const StageModeLayers predict_layers{StageMode::predict, add_predict, predict_sentence};
+
+}  // namespace ghostforce

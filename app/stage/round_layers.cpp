@@ -1,0 +1,118 @@
+// Round and round: the hand goes round a circle inside the wall. What the rendering gives it on the way stands in a
+// battery: a wall should give nothing.
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "app/picture/number_text.h"
+#include "app/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double least_energy = 0.00005;  // [J], so much that a tenth of a millijoule is shown
+
+const CircleEnergy* energy_of(const StageContent& content) {
+  if (!content.round || content.round->reading.turns == 0) return nullptr;
+  return &content.round->reading.strategies[index_of(content.settings.active)];
+}
+
+// The most that any strategy gives or takes on a turn: what a full battery is.
+double greatest_energy(const StageRound& round) {
+  double greatest = least_energy;
+  for (const CircleEnergy& energy : round.reading.strategies) {
+    greatest = std::max(greatest, std::abs(energy.last.energy));
+  }
+  return greatest;
+}
+
+void add_loop(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.round || content.round->loop.size() < 3) return;
+  const Colour colour = stage_colour(content.moment, content.theme.strategy);
+  canvas.marks.push_back({Role::area, content.settings.active, Area{content.round->loop, colour.with_alpha(70)}});
+  std::vector<Vector<2>> corners;
+  for (const Vector<2>& corner : content.round->loop) corners.push_back(canvas.at(corner));
+  canvas.curve(Role::area, corners, canvas.width(2.5), colour);
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    canvas.labels.keep_clear(corners[i - 1], corners[i], canvas.width(1.5));
+  }
+}
+
+void add_battery(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const CircleEnergy* const energy = energy_of(content);
+  const Theme& theme = content.theme;
+  const StageLanguage::Labels& all = content.language.labels;
+  const std::string words = energy == nullptr
+                                ? std::string(all.first_round)
+                                : filled(all.energy_a_round, signed_decimal_text(1e3 * energy->last.energy, 1));
+  const TextStyle& style = layout.letters.bold_words;
+  // A picture on paper is small, and its words do not change.
+  const Vector<2> cell(canvas.points(84.0), canvas.points(content.is_bare ? 110.0 : 170.0));
+  const std::string longest = content.is_bare ? words : filled(all.energy_a_round, "+888.8");
+  const Vector<2> extent(std::max(cell.x, content.measure(longest, style).x),
+                         cell.y + canvas.points(6.0) + style.height);
+  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
+                                                .extent = extent,
+                                                .region = layout.room(),
+                                                .wanted = layout.numbers_corner(),
+                                                .distance_cost = {3.0, 1.0},
+                                                .may_cover = content.is_bare,
+                                                .is_never_missing = true});
+  if (!found) return;
+  const Vector<2> corner = found->box.least;
+  const double width = canvas.width(3.5);
+  const ScreenBox body{corner + Vector<2>(0.0, canvas.points(14.0)), corner + cell};
+  const Vector<2> knob(canvas.points(34.0), canvas.points(18.0));
+  const Vector<2> knob_corner = corner + Vector<2>(0.5 * (cell.x - knob.x), 0.0);
+  canvas.box(Role::number, {knob_corner, knob_corner + knob}, canvas.points(4.0), theme.text, theme.text, 0.0);
+  canvas.box(Role::number, body, canvas.points(12.0), theme.background, theme.text, width);
+  // Full from below where the wall gives, from above where it takes.
+  const double level = energy == nullptr ? 0.0 : energy->last.energy / greatest_energy(*content.round);
+  const double inset = 2.0 * width;
+  const ScreenBox inside = body.grown(-inset);
+  const double height = std::abs(level) * inside.extent().y;
+  if (height > 1.0) {
+    const bool gives = level > 0.0;
+    const ScreenBox fill{{inside.least.x, gives ? inside.most.y - height : inside.least.y},
+                         {inside.most.x, gives ? inside.most.y : inside.least.y + height}};
+    const Colour colour = gives ? theme.strategy[index_of(StrategyId::naive)] : theme.accent;
+    canvas.box(Role::number, fill, std::min(canvas.points(8.0), 0.5 * height), colour, colour, 0.0);
+  }
+  canvas.text(Role::number, corner + Vector<2>(0.0, cell.y + canvas.points(6.0)), words, style,
+              stage_colour(content.moment, theme.strategy_text));
+}
+
+void add_round(const StageLayer& layer) {
+  add_stage_wall(layer);
+  add_rail(layer);
+  add_loop(layer);
+  add_springs(layer);
+  add_stage_hand(layer);
+  if (!layer.content.hides.force) add_stage_force(layer);
+  add_handle(layer);
+  if (!layer.content.hides.numbers) add_battery(layer);
+  add_hand_words(layer);
+}
+
+std::string round_sentence(const StageContent& content) {
+  const CircleEnergy* const energy = energy_of(content);
+  const StageLanguage::Sentences& all = content.language.sentences;
+  if (energy == nullptr) return std::string(all.round_begins);
+  if (!energy->stays_inside) return std::string(all.round_leaves_wall);
+  // The sampled loop itself takes a little away.
+  const double little = std::max(least_energy, 0.03 * greatest_energy(*content.round));
+  if (energy->last.energy >= little) {
+    const bool is_naive = content.settings.active == StrategyId::naive;
+    return std::string(is_naive ? all.round_gives : all.round_gives_though_cured);
+  }
+  if (energy->last.energy <= -little) return std::string(all.round_takes);
+  return std::string(all.round_is_fair);
+}
+
+}  // namespace
+
+const StageModeLayers round_layers{StageMode::round, add_round, round_sentence};
+
+}  // namespace ghostforce

@@ -1,0 +1,159 @@
+#include "app/stage/stage.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/stage/landscape_layer.h"
+#include "app/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+const StageModeLayers* layers_of(StageMode mode) {
+  static const std::array all{&predict_layers, &why_layers,    &landscape_layers,
+                              &round_layers,   &ribbon_layers, &measure_layers};
+  const auto found = std::ranges::find(all, mode, &StageModeLayers::id);
+  return found == all.end() ? nullptr : *found;
+}
+
+std::string sentence_of(const StageContent& content, const StageModeLayers* mode) {
+  if (!content.warning.empty()) return content.warning;
+  // What keeps the hand from being measured is told in a lesson, too, until the question is answered.
+  const bool is_held_up = content.measuring && content.measuring->has_trouble();
+  if (content.lesson && (!is_held_up || content.lesson->is_right)) return content.lesson->text;
+  if (mode != nullptr) {
+    if (std::string words = mode->sentence(content); !words.empty()) return words;
+  }
+  return std::string(stage_sentence(content.settings, content.moment, content.audience, content.language));
+}
+
+// With the digits that choose them. Empty: there is nothing to choose.
+std::string open_answers(const StageLesson& lesson) {
+  std::string words;
+  if (!lesson.is_open) return words;
+  const std::vector<std::string>& answers = lesson.row().answers;
+  for (std::size_t i = 0; i < answers.size(); ++i) words += fmt::format(" {}: {}.", i + 1, answers[i]);
+  return words;
+}
+
+StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) {
+  if (content.is_bare) return bare_stage_layout(content.size, content.scale);
+  const std::string sentence = sentence_of(content, mode);
+  return stage_layout(content.size, content.scale, content.measure,
+                      {.language = content.language,
+                       .keys = content.keys,
+                       .sentence = sentence,
+                       .corner = content.corner ? std::string_view(content.corner->words) : "",
+                       .corner_action = content.corner ? content.corner->action : StageCommand::keys,
+                       .has_full = !content.moment.is_measured,
+                       .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
+                       .lesson = content.lesson ? &*content.lesson : nullptr});
+}
+
+void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
+  // Its height is a matter of its letters alone.
+  const Ribbon ribbon{.moments = *content.moments,
+                      .looks_back_to_s = content.looks_back_to_s,
+                      .language = content.language,
+                      .theme = content.theme,
+                      .measure = content.measure,
+                      .camera = {.size = content.size},
+                      .box = {}};
+  const double bottom = layout.bottom - 10.0 * layout.unit;
+  layout.ribbon = ScreenBox{{layout.margin, bottom - ribbon_height(ribbon)}, {layout.size.x - layout.margin, bottom}};
+  layout.bottom = layout.ribbon->least.y;
+}
+
+}  // namespace
+
+void add_whole_scene(const StageLayer& layer) {
+  add_stage_wall(layer);
+  add_rail(layer);
+  add_expectations(layer);
+  add_springs(layer);
+  add_stage_hand(layer);
+  if (!layer.content.hides.slide) add_slide(layer);
+  if (!layer.content.hides.force) add_stage_force(layer);
+  add_handle(layer);
+  if (!layer.content.is_bare) add_numbers(layer);
+  add_stage_words(layer);
+}
+
+StageReading stage_reading(const StageContent& content) {
+  const StageSecrets& hides = content.hides;
+  StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
+  if (content.lesson && content.warning.empty()) {
+    reading.sentence += open_answers(*content.lesson);
+    // Above stands the lesson's text, and the number beside the hand.
+    if (content.measuring && content.measuring->result) {
+      reading.sentence +=
+          fmt::format(" {}.", fmt::join(measured_hand_words(*content.measuring, content.language), ", "));
+    }
+  } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
+    // The map has its verdict in place of a sentence.
+    reading.sentence = landscape_sentence(stage_landscape(content, {}));
+  }
+  const bool is_asked = content.mode == StageMode::predict && content.guess.is_open;
+  if (is_asked || hides.numbers || hides.handle) return reading;
+  reading.numbers = stage_numbers(content.moment);
+  if (hides.force) reading.numbers.force = reading.numbers.wall_share = reading.numbers.ghost_force = std::nullopt;
+  if (hides.slide) reading.numbers.slide = std::nullopt;
+  return reading;
+}
+
+StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
+  // What is to be guessed is drawn as Predict does it.
+  const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
+  const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
+  StageLayout layout = layout_of(content, mode);
+  if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
+  const Camera camera = content.is_bare ? camera_on(content.shown.center, content.shown.width, content.size)
+                                        : stage_camera(content.shown, content.size, layout.bottom);
+  StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
+                       .unit = layout.unit};
+  Marks& marks = picture.pane.marks;
+  marks.clear();
+  {
+    LabelPlacer labels(content.size, layout.unit, content.measure, memory, interval_s);
+    StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
+    const StageLayer layer{content, layout, canvas};
+    if (!content.is_bare) keep_frame_clear(layer);
+    // Of an answered guess of a lesson; an open one belongs to Predict.
+    const bool has_old_guess = content.lesson && mode != &predict_layers;
+    if (has_old_guess) keep_guess_clear(layer);
+    (mode != nullptr ? mode->add : add_whole_scene)(layer);
+    if (has_old_guess) add_guess(layer);
+    if (!content.is_bare) {
+      if (!is_map || content.lesson) add_sentence(layer);
+      add_buttons(layer);
+    }
+    canvas.add_labels();
+    if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
+  }
+  picture.scene = layout.scene();
+  picture.pivot = content.moment.handle;
+  if (!is_map) {
+    const StageGrips grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
+    if (content.may_turn_motor) picture.motor_grips = grips.motor;
+    if (content.may_turn_wall) picture.wall_grips = grips.wall;
+  }
+  if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
+  for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
+    picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
+  }
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+    if (*button) picture.buttons.push_back(**button);
+  }
+  picture.buttons.insert(picture.buttons.end(), layout.links.begin(), layout.links.end());
+  if (layout.lesson) {
+    const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);
+    picture.buttons.insert(picture.buttons.begin(), buttons.begin(), buttons.end());
+  }
+  return picture;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,82 @@
+// StageContent: all that the stage is drawn from. Values, read only; any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/picture/moment_history.h"
+#include "app/picture/theme.h"
+#include "app/picture/view.h"
+#include "app/stage/stage_layout.h"
+#include "app/stage/stage_lesson.h"
+#include "app/stage/stage_measuring.h"
+#include "app/stage/stage_sentence.h"
+#include "app/state/stage_language.h"
+#include "app/state/stage_moment.h"
+#include "core/loop_energy.h"
+
+namespace ghostforce {
+
+// What a person can take hold of on the stage.
+enum class StageGrip : std::uint8_t { none, motor, wall };
+
+// One thing at a time for somebody who is new here; each is said where it is done.
+enum class StageHint : std::uint8_t { drag, cure, motor };
+
+// A guess of where the handle comes to rest.
+struct StageGuess {
+  std::optional<Vector<2>> at{};      // [m]; empty: nothing is guessed
+  bool is_open = false;               // it can still be dragged, and the answer is hidden
+  std::optional<double> missed_by{};  // after the answer [m]
+};
+
+// The energy of the circle that the hand goes round.
+struct StageRound {
+  std::vector<Vector<2>> loop{};  // the handle's way on its last turn [m]
+  CircleReading reading{};
+};
+
+// A button of its own at the end of the row: what there is to do next, or the motors'.
+struct StageCornerButton {
+  StageAction action = StageCommand::keys;
+  std::string words;
+  bool is_alarming = false;  // motors may push
+};
+
+struct StageContent {
+  const Settings& settings;  // of the moment that is shown
+  StageMoment moment;
+  const StageLanguage& language;
+  StageKeys keys;
+  const Theme& theme;
+  const MeasureText& measure;
+  SceneView shown;
+  double reference_force;  // whose arrow has the usual length [N]
+  Vector<2> size;          // of the window [points]
+  double scale = 1.0;      // UI scale
+  StageMode mode = StageMode::none;
+  StageAudience audience{};
+  std::optional<StageHint> hint{};
+  StageGrip hovered_grip = StageGrip::none;
+  std::optional<StageAction> hovered{};  // the button under the pointer
+  bool may_turn_motor = false;           // by its ends
+  bool may_turn_wall = false;
+  StageGuess guess{};
+  int why_step = 0;
+  std::optional<StageRound> round{};
+  double landscape_dial = 0.0;
+  std::optional<StageMeasuring> measuring{};               // of the hand; empty: nobody has asked for it
+  std::optional<StageMeasuringButton> measuring_button{};  // the same, or it can be asked for
+  const MomentHistory* moments = nullptr;                  // of the ribbon; null: there is none
+  std::optional<double> looks_back_to_s{};                 // its cursor [s]
+  std::optional<StageCornerButton> corner{};
+  std::optional<StageLesson> lesson{};
+  StageSecrets hides{};
+  std::string warning{};  // what must be said instead of the sentence; may be empty
+  bool is_bare = false;   // the scene alone: no sentence, no large numbers, no buttons round it
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,335 @@
+#include "app/stage/stage_face.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/stage/hints.h"
+#include "app/stage/landscape_layer.h"
+#include "app/stage/lesson_content.h"
+#include "app/state/front_keys.h"
+#include "app/state/hand_burst_guide.h"
+#include "app/state/lesson_guide.h"
+#include "app/state/stage_buttons.h"
+#include "app/state/stage_modes.h"
+#include "app/state/stage_view.h"
+#include "app/state/target.h"
+#include "app/state/visit.h"
+
+namespace ghostforce {
+namespace {
+
+// Nothing must take the picture away from who is at work.
+bool may_show_itself(const Session& session, const StageFrame& frame) {
+  return session.face == Face::stage && (!session.lesson || invites_visitors(session)) &&
+         session.stage.mode == StageMode::none && session.dialog == Dialog::none && !session.paused &&
+         !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice && !frame.loop.recording.is_on &&
+         !frame.loop.motors.has_motors && !frame.shown.snapshot.measured && session.pointer_moves_goal &&
+         !session.drags_goal;
+}
+
+// All of the circle, and all that comes to rest round it.
+SceneView view_of_round(const Settings& settings, const Circle& circle) {
+  constexpr int places = 12;
+  std::vector<Vector<2>> goals;
+  for (int i = 0; i < places; ++i) {
+    goals.push_back(position_on(circle, static_cast<double>(i) / places / circle.turns_per_second));
+  }
+  return stage_view_of(settings, goals);
+}
+
+// Each only while it is true of the picture; until then it waits.
+std::optional<StageHint> stage_hint(const Session& session, const StageMoment& moment, const StageAudience& audience) {
+  if (invites_visitors(session) && audience.can_drag) return StageHint::drag;
+  const bool is_busy = session.lesson || session.stage.mode != StageMode::none;
+  if (is_busy || audience.looks_back || moment.is_measured) return std::nullopt;
+  if (points_at(session, HintTarget::goal) && audience.can_drag && !session.drags_goal) return StageHint::drag;
+  const bool has_ghost = glm::length(moment.ghost_force) >= least_shown_force;
+  if (points_at(session, HintTarget::third_strategy) && has_ghost &&
+      moment.weights[index_of(StrategyId::naive)] == 1.0) {
+    return StageHint::cure;
+  }
+  const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
+  if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
+  return std::nullopt;
+}
+
+// What there is to do about it; empty: to wait.
+std::string_view measuring_words(const Session& session) {
+  const StageLanguage::Buttons& all = stage_language(session.language).buttons;
+  const HandBurst& burst = session.hand_burst;
+  if (burst.is_running()) return {};
+  if (session.lesson) return burst.stage == HandBurst::Stage::off ? all.measure : all.measure_again_in_lesson;
+  return burst.is_known() && !hand_burst_is_believed(session) ? all.believe : all.measure_again;
+}
+
+// A button of its own where the corner is not free for it.
+std::optional<StageMeasuringButton> measuring_button(const Session& session, const MotorReport& motors) {
+  const bool has_corner = !session.lesson && !motors.has_motors;
+  if (session.stage.mode != StageMode::measure || has_corner) return std::nullopt;
+  const StageLanguage::Buttons& all = stage_language(session.language).buttons;
+  const std::string_view words = measuring_words(session);
+  const std::array each{all.measure, all.measure_again_in_lesson, all.measuring, all.measure_again, all.believe};
+  const std::span<const std::string_view> possible =
+      session.lesson ? std::span(each).first(3) : std::span(each).subspan(2);
+  return StageMeasuringButton{.words = std::string(words.empty() ? all.measuring : words),
+                              .longest = std::string(std::ranges::max(possible, {}, &std::string_view::size))};
+}
+
+// The motors' comes first; else what there is to do next, or the way back out of a mode.
+std::optional<StageCornerButton> corner_button(const Session& session, const MotorReport& motors,
+                                               const StageGuess& guess, bool is_revealing) {
+  const StageLanguage& language = stage_language(session.language);
+  if (motors.has_motors) {
+    const bool may_push = motors.state != SafetyState::off || motors.may_still_push;
+    return StageCornerButton{StageCommand::motors, motor_words(motors, language), may_push};
+  }
+  const StageChoice& stage = session.stage;
+  if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
+  const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
+  if (stage.mode == StageMode::predict && is_in_wall) {
+    const std::string_view words = guess.is_open  ? language.buttons.show_guess
+                                   : is_revealing ? language.buttons.skip
+                                                  : language.buttons.guess_again;
+    return StageCornerButton{StageCommand::next, std::string(words)};
+  }
+  if (const std::string_view words = measuring_words(session); stage.mode == StageMode::measure && !words.empty()) {
+    return StageCornerButton{StageCommand::measure, std::string(words)};
+  }
+  const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
+  if (stage.mode == StageMode::why && has_more) {
+    return StageCornerButton{StageCommand::next, std::string(language.buttons.next_step)};
+  }
+  return StageCornerButton{stage.mode, std::string(language.buttons.back)};
+}
+
+// Only while the mode is on. A lesson's step asks for it when it likes.
+std::optional<StageMeasuring> measuring_content(const Session& session) {
+  const HandBurst& burst = session.hand_burst;
+  if (session.stage.mode != StageMode::measure || burst.stage == HandBurst::Stage::off) return std::nullopt;
+  std::optional<double> asked;
+  if (burst.is_known() && has_open_question(session, LessonQuestion::task)) {
+    for (const LessonCondition& condition : lesson_step(*session.lesson).conditions) {
+      if (condition.quantity != LessonQuantity::hand) continue;
+      const double nearest = std::clamp(burst.estimate.k_u, condition.least, condition.greatest);
+      if (nearest != burst.estimate.k_u) asked = nearest;
+    }
+  }
+  return StageMeasuring{.is_running = burst.is_running(),
+                        .filled = burst.filled,
+                        .why = burst.why,
+                        .result = burst.is_known() ? std::optional(burst.estimate) : std::nullopt,
+                        .before = burst.before,
+                        .is_believed = hand_burst_is_believed(session),
+                        .asked = asked};
+}
+
+// What is not as it should be comes before what there is to see.
+std::string warning_of(const Session& session, const LoopReading& loop) {
+  const StageLanguage::Warnings& words = stage_language(session.language).warnings;
+  if (loop.diverged) {
+    return std::string(session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench);
+  }
+  if (loop.motors.may_still_push) {
+    return session.visit ? std::string(words.motors_may_still_push_for_visitors)
+                         : filled(words.motors_may_still_push, front_keys().device_status.shown);
+  }
+  const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
+  if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
+    return session.visit ? std::string(words.device_not_ready_for_visitors)
+                         : filled(words.device_not_ready, front_keys().device_status.shown);
+  }
+  if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
+  return {};
+}
+
+}  // namespace
+
+void StageFace::follow_session(const Session& session, const StageFrame& frame) {
+  const bool is_other = std::exchange(scene_, session.scene) != session.scene;
+  // What a device shows is what it does.
+  if (is_other || frame.shown.snapshot.measured) {
+    transition_.jump_to(session.settings.active);
+  } else {
+    transition_.go_to(session.settings.active, session.stage.switches_slowly);
+  }
+}
+
+// What a person moves is there at once. A view that fits what has happened is glided to: when the handle or the hand has
+// left the scene, and nobody holds anything.
+void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
+  constexpr double glides_s = 0.12;  // until two thirds of the way
+  const bool is_other_scene = scene_ != session.scene;
+  if (std::exchange(session.fits_view, false)) {
+    session.stage_shown = session.lesson ? lesson_view(session) : stage_view_of(session.settings, session.goal);
+  } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
+    view_ = session.stage_shown;
+  } else if (!pointer_.is_holding() && !transition_.is_running() && !show_.is_on() && !frame.shown.is_past) {
+    const auto is_seen = [&](const Vector<2>& place) {
+      return contains(picture_.scene, to_screen(picture_.pane.camera, place));
+    };
+    if (const auto device = frame.shown.snapshot.measured) {
+      // A handle that somebody moves away takes the view along.
+      const Vector<2> handle = frame.shown.snapshot.strategies[index_of(*device)].device;
+      const std::array places{session.goal, handle};
+      if (!is_seen(handle)) session.stage_shown = stage_view_of(session.settings, places);
+    } else {
+      const StageMoment rest = stage_moment_at_rest(settings_now(session), session.goal);
+      const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
+      if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
+        session.stage_shown = stage_view_of(session.settings, session.goal);
+      }
+    }
+  }
+  wanted_view_ = session.stage_shown;
+  const double share = 1.0 - std::exp(-interval_s / glides_s);
+  view_.center = glm::mix(view_.center, session.stage_shown.center, share);
+  view_.width = glm::mix(view_.width, session.stage_shown.width, share);
+  const double apart =
+      glm::distance(view_.center, session.stage_shown.center) + std::abs(view_.width - session.stage_shown.width);
+  view_moves_ = apart > 2e-3 * view_.width;
+  if (!view_moves_) view_ = session.stage_shown;
+}
+
+void StageFace::update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys,
+                       double interval_s) {
+  pointer_.update(session, apply, frame, picture_);
+  follow_view(session, frame, interval_s);
+  // What begins in this frame begins at its beginning.
+  transition_.advance(interval_s);
+  follow_session(session, frame);
+  guess_.update(session, interval_s);
+  const bool is_changed = std::exchange(seen_settings_, session.settings) != session.settings ||
+                          std::exchange(seen_goal_, session.goal) != session.goal;
+  show_.update(has_keys || pointer_.has_touched() || is_changed, may_show_itself(session, frame), interval_s);
+}
+
+namespace {
+
+// What is being turned is shown as the loop has it, so that all of the picture is of one moment: settings that it has not
+// seen yet come with the next frame.
+ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
+  const auto newest = frame.history.moments().newest();
+  const bool is_live = !session.paused && !frame.shown.is_past;
+  if (!is_live || !newest || newest->snapshot.tick == 0) return frame.shown;
+  ShownMoment moment = *newest;
+  moment.settings = settings_at(*session.scene, moment.settings, moment.snapshot.time_s);
+  moment.settings.active = frame.shown.settings.active;
+  return moment;
+}
+
+}  // namespace
+
+StageBlend StageFace::blend_of(const StageFrame& frame) const {
+  return transition_.is_running() ? transition_.blend() : stage_blend_of(frame.shown.settings.active);
+}
+
+StageFace::Shown StageFace::live_in(const Session& session, const StageFrame& frame, const StageBlend& blend) const {
+  const ShownMoment shown_moment = of_one_moment(session, frame);
+  const Settings& settings = shown_moment.settings;
+  const Snapshot& snapshot = shown_moment.snapshot;
+  // A hand that is dragged is where the pointer is, whatever the loop has seen of it yet.
+  const bool is_live = session.pointer_moves_goal && !frame.shown.is_past && !snapshot.measured;
+  const Vector<2> goal = is_live ? session.goal : snapshot.goal;
+  Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
+  if (const auto target = target_of(session, frame.loop.motors)) {
+    shown.moment = with_target(shown.moment, wall_of(settings), *target);
+  }
+  if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
+  return shown;
+}
+
+StageFace::Shown StageFace::shown_in(const Session& session, const StageFrame& frame) const {
+  Shown shown = live_in(session, frame, blend_of(frame));
+  if (show_.is_on()) {
+    StageShow show = show_.shown_instead_of(shown.moment, session);
+    shown = {show.settings, show.moment};
+  }
+  return shown;
+}
+
+StageContent StageFace::content_of(const Session& session, const StageFrame& frame, const Shown& shown) const {
+  const StageBlend blend = transition_.blend();
+  StageContent content{
+      .settings = shown.settings,
+      .moment = shown.moment,
+      .language = stage_language(session.language),
+      .keys = stage_keys(),
+      .theme = frame.theme,
+      .measure = frame.measure,
+      .shown = session.stage_shown,
+      .reference_force = reference_force_of(session.scene->settings, session.scene->goal.points.back()),
+      .size = frame.size,
+      .scale = frame.scale,
+      .mode = session.stage.mode,
+      .audience = {.can_drag = session.pointer_moves_goal,
+                   .looks_back = frame.shown.is_past,
+                   .feels_tones = frame.loop.hand.tone_gain > 0.0 && !show_.is_on() && !frame.shown.is_past,
+                   .heads_for = shown.settings.active},
+      .guess = guess_.guess(session),
+      .why_step = session.stage.why_step,
+      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
+      .looks_back_to_s = session.stage.looks_back_to_s,
+      .warning = warning_of(session, frame.loop),
+      .is_bare = frame.is_bare};
+  if (session.lesson) {
+    content.lesson = lesson_content(session);
+    content.hides = lesson_secrets(session);
+    content.guess = lesson_guess(session);
+    content.reference_force = lesson_reference_force(*session.lesson->lesson);
+  }
+  content.measuring = measuring_content(session);
+  content.measuring_button = measuring_button(session, frame.loop.motors);
+  content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
+  if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
+  if (session.stage.mode == StageMode::round && frame.loop.circle) {
+    const CircleReading& reading = *frame.loop.circle;
+    content.shown = view_of_round(shown.settings, reading.circle);
+    const std::optional<double> turn_s = turn_to_show(frame.loop);
+    content.round = StageRound{
+        turn_s ? last_loop(frame.history.moments(), shown.settings.active, *turn_s) : std::vector<Vector<2>>(),
+        reading};
+  }
+  return content;
+}
+
+StageReading StageFace::reading(const Session& session, const StageFrame& frame) const {
+  if (session.face == Face::stage) {
+    const Shown shown = live_in(session, frame, blend_of(frame));
+    return stage_reading(content_of(session, frame, shown));
+  }
+  // What goes on by itself on the stage, and its modes, are not there.
+  Session plain = session;
+  plain.stage = {.looks_back_to_s = session.stage.looks_back_to_s};
+  const Shown shown = live_in(plain, frame, stage_blend_of(frame.shown.settings.active));
+  return stage_reading(content_of(plain, frame, shown));
+}
+
+const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {
+  const Shown shown = shown_in(session, frame);
+  StageContent content = content_of(session, frame, shown);
+  if (session.stage.mode != StageMode::round) content.shown = view_;
+  content.hovered = pointer_.hovered();
+  content.hovered_grip = pointer_.hovered_grip();
+  content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
+  content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
+  content.hint = stage_hint(session, content.moment, content.audience);
+  picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
+  return picture_;
+}
+
+StagePicture StageFace::still(const Session& session, const StageFrame& frame) const {
+  const Shown shown = shown_in(session, frame);
+  LabelMemory memory;
+  return compose_stage(content_of(session, frame, shown), memory, 0.0);
+}
+
+bool StageFace::is_moving() const noexcept {
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing() || view_moves_;
+}
+
+}  // namespace ghostforce

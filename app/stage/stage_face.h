@@ -1,0 +1,68 @@
+// StageFace: the stage in the window. Takes the pointer, moves what moves by itself, and composes the picture. It edits
+// the session and knows neither servo nor file. Between ImGui's NewFrame and Render, UI thread.
+#pragma once
+
+#include <memory>
+
+#include "app/stage/guess_game.h"
+#include "app/stage/idle_show.h"
+#include "app/stage/stage.h"
+#include "app/stage/stage_frame.h"
+#include "app/stage/stage_pointer.h"
+#include "app/stage/stage_transition.h"
+#include "app/state/action.h"
+
+namespace ghostforce {
+
+class StageFace {
+ public:
+  // The pointer on the picture of the frame before, in an ImGui window that covers it; then time goes on.
+  // `has_keys`: a key was pressed in this frame.
+  void update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys, double interval_s);
+
+  // The picture of now.
+  const StagePicture& compose(const Session& session, const StageFrame& frame, double interval_s);
+
+  // That of the last frame.
+  const StagePicture& picture() const noexcept { return picture_; }
+
+  // The same for a file: nothing fades in, and nobody can take hold of anything.
+  StagePicture still(const Session& session, const StageFrame& frame) const;
+
+  // The same for those who do not look, on the workbench too; the stage's show for passers-by is not for them.
+  StageReading reading(const Session& session, const StageFrame& frame) const;
+
+  // Time goes on, whether a frame is drawn or not: left alone for long enough, the stage begins to move.
+  void wait(double interval_s) noexcept { show_.wait(interval_s); }
+
+  // Something moves by itself, and wants to be drawn.
+  bool is_moving() const noexcept;
+
+ private:
+  // What the content refers to.
+  struct Shown {
+    Settings settings;
+    StageMoment moment;
+  };
+  StageBlend blend_of(const StageFrame& frame) const;
+  Shown live_in(const Session& session, const StageFrame& frame, const StageBlend& blend) const;
+  Shown shown_in(const Session& session, const StageFrame& frame) const;
+  StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
+  void follow_view(Session& session, const StageFrame& frame, double interval_s);
+  void follow_session(const Session& session, const StageFrame& frame);
+
+  StagePicture picture_;
+  LabelMemory memory_;
+  StageTransition transition_{StrategyId::full};
+  GuessGame guess_;
+  IdleShow show_;
+  StagePointer pointer_;
+  std::shared_ptr<const Scene> scene_;  // that the transition is in
+  SceneView view_;                      // on its way to the session's
+  SceneView wanted_view_;               // of the frame before
+  bool view_moves_ = false;
+  Settings seen_settings_;    // a frame ago,
+  Vector<2> seen_goal_{0.0};  // both
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,96 @@
+// The layers of the stage, back to front; each appends its marks and says what no label may cover.
+#pragma once
+
+#include "app/stage/landscape_layer.h"
+#include "app/stage/lesson_layout.h"
+#include "app/stage/ribbon_layer.h"
+#include "app/stage/stage_canvas.h"
+#include "app/stage/stage_content.h"
+
+namespace ghostforce {
+
+struct StageLayer {
+  const StageContent& content;
+  const StageLayout& layout;
+  StageCanvas& canvas;
+};
+
+void add_stage_wall(const StageLayer& layer);    // wall, hatching, grips
+void add_rail(const StageLayer& layer);          // along which the motors push
+void add_expectations(const StageLayer& layer);  // where the wall should hold and the handle should rest
+void add_springs(const StageLayer& layer);       // the hand's and the wall's
+void add_stage_hand(const StageLayer& layer);    // fist and goal
+void add_stage_force(const StageLayer& layer);   // the wall's share and the ghost
+void add_slide(const StageLayer& layer);         // the ruler along the wall
+void add_handle(const StageLayer& layer);        // handle and proxy
+void add_stage_words(const StageLayer& layer);   // beside all these,
+void add_hand_words(const StageLayer& layer);    // and beside some
+void add_motor_words(const StageLayer& layer);
+void keep_guess_clear(const StageLayer& layer);
+void add_guess(const StageLayer& layer);  // of where the handle comes to rest, if there is one
+// So that the edge of the wall does not run through words.
+void add_plate(const StageLayer& layer, const ScreenBox& words);
+void add_sentence(const StageLayer& layer);  // above
+void add_numbers(const StageLayer& layer);
+void add_buttons(const StageLayer& layer);       // below, and the strip of icons
+void add_lesson_frame(const StageLayer& layer);  // title, answers, slider, back and next
+void keep_frame_clear(const StageLayer& layer);  // of labels: sentence, buttons and what is said of them
+
+void keep_lesson_clear(const StageLayer& layer);
+std::vector<StageButton> lesson_buttons(const LessonLayout& places);  // that can be pressed, but for the way out
+
+// What a mode draws and says instead, where it does. One file a mode.
+struct StageModeLayers {
+  StageMode id;
+  void (*add)(const StageLayer& layer);                  // the scene
+  std::string (*sentence)(const StageContent& content);  // empty: the moment's own
+};
+extern const StageModeLayers predict_layers;
+extern const StageModeLayers why_layers;
+extern const StageModeLayers landscape_layers;
+extern const StageModeLayers round_layers;
+extern const StageModeLayers ribbon_layers;
+extern const StageModeLayers measure_layers;
+
+// All things of the scene and the words beside them.
+void add_whole_scene(const StageLayer& layer);
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera);
+// "ghost 1.27 N", or without the number where it is hidden.
+std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
+                        std::string_view unit);
+// Beside the hand, in lines; empty: nothing.
+std::vector<std::string> measured_hand_words(const StageMeasuring& measuring, const StageLanguage& language);
+// Empty where there is none.
+std::optional<Ribbon> stage_ribbon(const StageLayer& layer);
+
+// --- Where layers must agree -----------------------------------------------------------------------------------------
+
+// A colour mixed of the strategies' own, by their weights.
+Colour stage_colour(const StageMoment& moment, const PerStrategy<Colour>& colours);
+// How a force is drawn along one line, in points from the handle's middle.
+struct ForceArrow {
+  Vector<2> start;      // of the wall's share
+  Vector<2> direction;  // on the screen
+  double share;         // length of the wall's share
+  double ghost;         // of the ghost force; negative: it folds back over the share
+  Vector<2> share_end() const { return start + direction * share; }
+  Vector<2> tip() const { return start + direction * (share + ghost); }
+};
+std::optional<ForceArrow> force_arrow(const StageLayer& layer);
+
+// The slide as a ruler on the free side of the wall.
+struct SlideRuler {
+  Vector<2> from;  // beside where the wall should hold
+  Vector<2> to;    // beside the proxy
+  Vector<2> out;   // away from the wall, on the screen
+};
+std::optional<SlideRuler> slide_ruler(const StageLayer& layer);
+
+// How far handle and proxy reach from their middle, whatever their shape, without their rim.
+double shape_reach(const StageMoment& moment, double radius);
+
+inline constexpr double handle_radius = 17.0;  // [points of the design]
+inline constexpr double arrow_width = 14.0;
+inline constexpr double measuring_ring = 62.0;  // round the hand, its radius
+
+}  // namespace ghostforce

@@ -1,0 +1,270 @@
+#include "app/stage/stage_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/stage/lesson_layout.h"
+#include "app/stage/stage_sentence.h"
+#include "app/stage/strategy_button.h"
+
+namespace ghostforce {
+namespace {
+
+// In points of a picture 720 points high.
+constexpr double height_of_design = 720.0;
+constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
+constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
+constexpr double sentence_em = 29.0;
+constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
+constexpr double number_em = 74.0;
+constexpr double unit_em = 34.0;
+constexpr double edge_margin = 36.0;
+constexpr double button_height = 56.0;
+constexpr double icon_side = 40.0;
+constexpr double icon_gap = 5.0;
+constexpr double gap = 14.0;
+constexpr double button_padding = 18.0;
+
+// The number block must leave the lower half to the scene.
+constexpr double greatest_block = 0.6;
+constexpr std::size_t most_lines = 3;
+constexpr std::size_t most_lesson_lines = 4;
+constexpr double mark_room = 44.0;  // of a lesson's mark before its text
+
+// The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
+std::string_view longest_sentence(const StageLanguage& language) {
+  return std::ranges::max(words_of(language.sentences), {}, &std::string_view::size);
+}
+
+// Whole points: the letters that are painted then are as they were made.
+StageLetters letters_at(double unit, double longer_text_em) {
+  const auto style = [&](double em, bool is_bold) { return TextStyle{std::ceil(em * line_of_em * unit), is_bold}; };
+  return {style(words_em, false), style(words_em, true), style(longer_text_em, true), style(number_em, true),
+          style(unit_em, false)};
+}
+
+class Arrangement {
+ public:
+  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words)
+      : measure_(measure), words_(words) {
+    layout_.size = size;
+    layout_.unit = size.y / height_of_design * scale;
+    layout_.margin = points(edge_margin);
+    layout_.letters = letters_at(layout_.unit, words.lesson ? lesson_em : sentence_em);
+  }
+
+  // False where something does not fit.
+  bool arrange(bool in_full) {
+    layout_.strategies.clear();
+    bool buttons_fit = false;
+    if (words_.lesson != nullptr) {
+      buttons_fit = arrange_lesson(*words_.lesson, words_, measure_, layout_);
+    } else {
+      arrange_icons();
+      buttons_fit = arrange_buttons(in_full);
+    }
+    arrange_numbers();
+    const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
+    const bool sentence_fits = lines(words_.lesson != nullptr ? std::string_view(words_.lesson->longest_text)
+                                                              : longest_sentence(words_.language),
+                                     mark_width(true))
+                                   .size() <= most;
+    const double block_height =
+        layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
+    return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
+  }
+
+  StageLayout finished() {
+    const bool has_mark = words_.lesson != nullptr && words_.lesson->is_right;
+    layout_.sentence = lines(words_.sentence, mark_width(has_mark));
+    layout_.sentence_box.least = Vector<2>(layout_.margin + mark_width(has_mark), layout_.margin - points(8.0));
+    if (has_mark) {
+      const double side = layout_.letters.sentence.height;
+      const Vector<2> corner(layout_.margin, layout_.sentence_box.least.y);
+      layout_.mark = ScreenBox{corner, corner + Vector<2>(side)};
+    }
+    double width = 0.0;
+    for (const std::string& line : layout_.sentence) {
+      width = std::max(width, measure_(line, layout_.letters.sentence).x);
+    }
+    layout_.sentence_box.most =
+        layout_.sentence_box.least +
+        Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
+    layout_.words_end = layout_.sentence_box.most.y;
+    if (words_.lesson != nullptr) {
+      const std::size_t most = lines(words_.lesson->longest_text, mark_width(true)).size();
+      layout_.words_end = std::max(layout_.words_end, layout_.sentence_box.least.y +
+                                                          static_cast<double>(most) * layout_.letters.sentence.height);
+    }
+    layout_.top = std::max(layout_.sentence_box.most.y, layout_.strip().most.y);
+    if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
+    layout_.bottom = layout_.lesson      ? layout_.lesson->top
+                     : layout_.measuring ? layout_.measuring->box.least.y
+                                         : layout_.strategies.front().box.least.y;
+    return std::move(layout_);
+  }
+
+ private:
+  double points(double of_design) const { return of_design * layout_.unit; }
+
+  double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
+
+  std::vector<std::string> lines(std::string_view words, double indented_by) const {
+    const double end = layout_.header_left - points(gap);
+    return broken_into_lines(words, end - layout_.margin - indented_by, layout_.letters.sentence, measure_);
+  }
+
+  void arrange_icons() {
+    layout_.icons.clear();
+    const Vector<2> side(points(icon_side));
+    const double step = side.x + points(icon_gap);
+    const std::size_t count = stage_mode_catalog().size() + 2;
+    Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(icon_gap),
+                     layout_.margin - points(10.0));
+    const auto add = [&](const StageAction& action) {
+      layout_.icons.push_back({action, {corner, corner + side}, {}});
+      corner.x += step;
+    };
+    for (const StageModeEntry& mode : stage_mode_catalog()) add(mode.id);
+    add(StageCommand::lessons);
+    add(Face::workbench);
+    layout_.header_left = layout_.icons.front().box.least.x;
+  }
+
+  bool arrange_buttons(bool in_full) {
+    const double bottom = layout_.size.y - layout_.margin - points(10.0);
+    double x = layout_.margin;
+    for (const Strategy& strategy : strategy_catalog()) {
+      if (strategy.id == StrategyId::full && !words_.has_full) continue;
+      const StageLanguage::StrategyButton& words = words_.language.strategy_buttons[index_of(strategy.id)];
+      const std::string_view shown = in_full ? words.in_full : words.in_short;
+      const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
+      layout_.strategies.push_back(
+          {strategy.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, std::string(shown)});
+      x += width + points(gap);
+    }
+    const double right = layout_.size.x - layout_.margin;
+    layout_.corner.reset();
+    layout_.links.clear();
+    if (!words_.corner.empty()) {
+      layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
+      arrange_measuring();
+      return x <= layout_.corner->box.least.x;
+    }
+    const StageLanguage::Buttons& all = words_.language.buttons;
+    const double line = layout_.letters.words.height;
+    double top = bottom - 0.5 * points(button_height) - line;
+    std::vector<std::pair<StageCommand, std::string>> links{
+        {StageCommand::lessons, filled(all.lessons, words_.keys.lessons)},
+        {StageCommand::keys, filled(all.keys, words_.keys.help)}};
+    if (!words_.keys.link.empty()) {
+      links.insert(links.begin(), {StageCommand::link, filled(all.link, words_.keys.link)});
+      top -= line;
+    }
+    for (const auto& [command, link] : links) {
+      const double left = right - measure_(link, layout_.letters.words).x;
+      layout_.links.push_back({command, {{left, top}, {right, top + line}}, link});
+      top += line;
+    }
+    const bool have_room =
+        std::ranges::all_of(layout_.links, [&](const StageButton& link) { return x <= link.box.least.x; });
+    if (!have_room) layout_.links.clear();
+    return x - points(gap) <= right;
+  }
+
+  StageButton button_ending_at(const Vector<2>& end, std::string_view words, std::string_view longest,
+                               const StageAction& action) const {
+    const double width = measure_(longest, layout_.letters.bold_words).x + points(2.0 * button_padding);
+    return {action, {end - Vector<2>(width, points(button_height)), end}, std::string(words)};
+  }
+
+  // Where the corner is the motors', above it.
+  void arrange_measuring() {
+    layout_.measuring.reset();
+    if (words_.measuring == nullptr) return;
+    const ScreenBox& corner = layout_.corner->box;
+    layout_.measuring = button_ending_at({corner.most.x, corner.least.y - points(0.5 * gap)}, words_.measuring->words,
+                                         words_.measuring->longest, StageCommand::measure);
+  }
+
+  void arrange_numbers() {
+    const StageLetters& all = layout_.letters;
+    layout_.number_width = measure_("88.8", all.number).x;
+    const double unit_width = points(gap) + measure_("mm", all.unit).x;
+    double words_width = 0.0;
+    for (const std::string_view words : words_of(words_.language.numbers)) {
+      words_width = std::max(words_width, measure_(words, all.words).x);
+    }
+    layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
+                            2.0 * (all.number.height + all.words.height) - points(6.0)};
+  }
+
+  const MeasureText& measure_;
+  const StageFrameWords& words_;
+  StageLayout layout_;
+};
+
+}  // namespace
+
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure,
+                         const StageFrameWords& words) {
+  constexpr double step = 0.97;
+  constexpr int most_steps = 100;
+  const auto scale_after = [&](int steps) { return scale * std::pow(step, steps); };
+  const auto fits = [&](int steps, bool in_full) {
+    return Arrangement(size, scale_after(steps), measure, words).arrange(in_full);
+  };
+  // The first that fits.
+  int too_large = -1;
+  int fitting = 0;
+  if (!fits(0, false)) {
+    too_large = 0;
+    fitting = most_steps;
+  }
+  while (fitting - too_large > 1) {
+    const int between = (too_large + fitting) / 2;
+    (fits(between, false) ? fitting : too_large) = between;
+  }
+  Arrangement arrangement(size, scale_after(fitting), measure, words);
+  if (!arrangement.arrange(true)) arrangement.arrange(false);
+  return arrangement.finished();
+}
+
+StageLayout bare_stage_layout(const Vector<2>& size, double scale) {
+  constexpr double bare_margin = 14.0;
+  StageLayout layout;
+  layout.size = size;
+  layout.unit = size.y / height_of_design * scale;
+  layout.margin = bare_margin * layout.unit;
+  layout.letters = letters_at(layout.unit, sentence_em);
+  layout.sentence_box = {Vector<2>(layout.margin), Vector<2>(layout.margin)};
+  layout.header_left = size.x;
+  layout.bottom = size.y;
+  return layout;
+}
+
+Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {
+  constexpr Vector<2> middle{0.52, 0.60};      // of what is above `bottom`, from its upper left corner
+  constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
+  Camera camera = camera_on(shown.center, shown.width, {size.x, with_buttons * bottom});
+  camera.size = size;
+  const Vector<2> offset = middle * Vector<2>(size.x, bottom) - 0.5 * size;
+  camera.center -= Vector<2>(offset.x, -offset.y) / camera.points_per_metre;
+  return camera;
+}
+
+std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys) {
+  if (const auto* const mode = std::get_if<StageMode>(&action)) {
+    const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);
+    const StageLanguage::Mode& words = language.modes.*entry->words;
+    return fmt::format("{} ({}): {}", words.title, entry->key, words.about);
+  }
+  if (std::holds_alternative<Face>(action)) return std::string(language.hovers.workbench);
+  if (action == StageAction(StageCommand::lessons)) return filled(language.hovers.lessons, keys.lessons);
+  if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
+  return {};
+}
+
+}  // namespace ghostforce

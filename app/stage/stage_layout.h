@@ -1,0 +1,26 @@
+// Finds places for what is on the stage, and a view of the world. Letters grow with the window's height and with the UI
+// scale, as far as everything fits. Points of the window, y down; pure, any thread.
+#pragma once
+
+#include <string>
+
+#include "app/picture/camera.h"
+#include "app/picture/text_lines.h"
+#include "app/stage/stage_places.h"
+#include "core/scene.h"
+
+namespace ghostforce {
+
+StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
+
+// The same for a scene without sentence, numbers and buttons, which then has all of the picture.
+StageLayout bare_stage_layout(const Vector<2>& size, double scale);
+
+// Its middle stands a little to the right of and below the window's, clear of the numbers.
+// `bottom`: where the scene ends, as in the layout.
+Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom);
+
+// How to say what a button does when it is pressed, and its key.
+std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);
+
+}  // namespace ghostforce

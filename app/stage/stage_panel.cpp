@@ -1,0 +1,329 @@
+// The frame round the scene of the stage: the sentence and the two numbers above, the buttons below, the strip of icons.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/stage/stage_layers.h"
+
+namespace ghostforce {
+namespace {
+
+bool is_hovered(const StageContent& content, const StageAction& action) {
+  return content.hovered == action;
+}
+
+void add_strategy_button(const StageLayer& layer, const StageButton& button) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StrategyId id = std::get<StrategyId>(button.action);
+  const bool is_active = content.settings.active == id;
+  const Colour colour = theme.strategy[index_of(id)];
+  const Colour rim = is_active ? colour : is_hovered(content, button.action) ? theme.accent : theme.panel_border;
+  canvas.box(Role::button, button.box, canvas.points(12.0), is_active ? theme.panel_field : theme.background, rim,
+             canvas.width(is_active ? 4.0 : 2.0));
+  const double middle = 0.5 * (button.box.least.y + button.box.most.y);
+  const double left = button.box.least.x;
+  const StageLetters& letters = layout.letters;
+  const double text_top = middle - 0.5 * letters.words.height;
+  // While a question is open its answers have the digits.
+  const bool has_key = !content.lesson || !content.lesson->is_open;
+  if (has_key) {
+    canvas.text(Role::button, {left + canvas.points(15.0), text_top}, fmt::format("{}", index_of(id) + 1),
+                letters.bold_words, theme.faint_text, false);
+  }
+  canvas.marks.push_back({Role::button, id,
+                          Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
+                                 strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
+  canvas.text(Role::button, {left + canvas.points(74.0), text_top}, button.words,
+              is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
+}
+
+// Unmistakable from three metres while motors may push.
+void add_corner_button(const StageLayer& layer, const StageButton& button, bool is_on) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  canvas.box(Role::button, button.box, canvas.points(12.0), is_on ? theme.problem : theme.panel_field,
+             is_on ? theme.problem : theme.accent, canvas.width(3.0));
+  const TextStyle& style = layout.letters.bold_words;
+  const Vector<2> extent = content.measure(button.words, style);
+  canvas.text(Role::button, 0.5 * (button.box.least + button.box.most - extent), button.words, style,
+              is_on ? theme.background : theme.text, false);
+}
+
+// What the icons show, in a square of 2 × 2 round the middle, y down.
+struct IconPen {
+  StageCanvas& canvas;
+  Vector<2> middle;
+  double reach;
+  Colour colour;
+
+  Vector<2> at(double x, double y) const { return middle + reach * Vector<2>(x, y); }
+  void curve(const std::vector<Vector<2>>& corners) const {
+    std::vector<Vector<2>> placed;
+    for (const Vector<2>& corner : corners) placed.push_back(at(corner.x, corner.y));
+    canvas.curve(Role::button, placed, canvas.width(2.5), colour);
+  }
+  void arc(const Vector<2>& center, double radius, double from_turn, double to_turn) const {
+    constexpr int pieces = 14;
+    std::vector<Vector<2>> corners;
+    for (int i = 0; i <= pieces; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (from_turn + (to_turn - from_turn) * i / pieces);
+      corners.push_back(center + radius * Vector<2>(std::cos(angle), std::sin(angle)));
+    }
+    curve(corners);
+  }
+};
+
+struct Icon {
+  StageAction action;
+  void (*draw)(const IconPen&);
+};
+
+const std::array<Icon, 9>& icons() {
+  static const std::array<Icon, 9> all{{
+      // A target to aim at.
+      {StageMode::predict,
+       [](const IconPen& pen) {
+         pen.canvas.ring(Role::button, pen.middle, 0.8 * pen.reach, pen.canvas.width(2.5), pen.colour);
+         pen.arc({0.0, 0.0}, 0.2, 0.0, 1.0);
+       }},
+      // The triangle of forces.
+      {StageMode::why,
+       [](const IconPen& pen) {
+         pen.curve({{0.8, 0.7}, {-0.8, -0.8}, {-0.8, 0.7}, {0.8, 0.7}});
+       }},
+      // Contour lines.
+      {StageMode::landscape,
+       [](const IconPen& pen) {
+         pen.arc({0.1, 0.1}, 0.85, 0.0, 1.0);
+         pen.arc({0.25, -0.05}, 0.42, 0.0, 1.0);
+       }},
+      // A round way with its direction.
+      {StageMode::round,
+       [](const IconPen& pen) {
+         pen.arc({0.0, 0.0}, 0.75, 0.0, 0.85);
+         pen.curve({{0.2, -0.95}, {0.5, -0.58}, {0.1, -0.3}});
+       }},
+      // A line over time with a cursor.
+      {StageMode::ribbon,
+       [](const IconPen& pen) {
+         pen.curve({{-0.9, 0.4}, {-0.5, 0.4}, {-0.2, -0.3}, {0.2, 0.1}, {0.9, 0.1}});
+         pen.curve({{0.2, -0.8}, {0.2, 0.8}});
+       }},
+      // A spring between two plates.
+      {StageMode::measure,
+       [](const IconPen& pen) {
+         pen.curve({{-0.6, -0.85}, {0.6, -0.85}});
+         pen.curve({{-0.6, 0.85}, {0.6, 0.85}});
+         pen.curve({{0.0, -0.85}, {0.5, -0.6}, {-0.5, -0.2}, {0.5, 0.2}, {-0.5, 0.6}, {0.0, 0.85}});
+       }},
+      // An open book.
+      {StageCommand::lessons,
+       [](const IconPen& pen) {
+         pen.curve({{0.0, -0.45}, {-0.45, -0.65}, {-0.95, -0.6}, {-0.95, 0.6}, {-0.45, 0.55}, {0.0, 0.75}});
+         pen.curve({{0.0, -0.45}, {0.45, -0.65}, {0.95, -0.6}, {0.95, 0.6}, {0.45, 0.55}, {0.0, 0.75}});
+         pen.curve({{0.0, -0.45}, {0.0, 0.75}});
+       }},
+      {StageCommand::leave,
+       [](const IconPen& pen) {
+         pen.curve({{-0.6, -0.6}, {0.6, 0.6}});
+         pen.curve({{-0.6, 0.6}, {0.6, -0.6}});
+       }},
+      // Sliders.
+      {Face::workbench,
+       [](const IconPen& pen) {
+         for (const double y : {-0.55, 0.0, 0.55}) pen.curve({{-0.85, y}, {0.85, y}});
+         for (const Vector<2>& knob : {Vector<2>(-0.3, -0.55), Vector<2>(0.4, 0.0), Vector<2>(-0.1, 0.55)}) {
+           pen.arc(knob, 0.14, 0.0, 1.0);
+         }
+       }},
+  }};
+  return all;
+}
+
+void add_icon(const StageLayer& layer, const StageButton& button) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const bool is_on = button.action == StageAction(content.mode);
+  const bool is_hot = is_hovered(content, button.action);
+  canvas.box(Role::button, button.box, canvas.points(10.0), is_on ? theme.panel_field : theme.background,
+             is_on || is_hot ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
+  const Vector<2> middle = 0.5 * (button.box.least + button.box.most);
+  const double reach = 0.34 * (button.box.most.x - button.box.least.x);
+  const auto icon = std::ranges::find(icons(), button.action, &Icon::action);
+  if (icon != icons().end()) icon->draw({canvas, middle, reach, is_on || is_hot ? theme.accent : theme.faint_text});
+}
+
+// Below the strip, to the right.
+struct HoverPanel {
+  std::vector<std::string> lines;
+  ScreenBox box;
+};
+
+constexpr double hover_padding = 10.0;
+
+std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  // Who has pressed an icon has read what it does.
+  const bool is_on = content.hovered == StageAction(content.mode);
+  const StageLanguage::Hovers& all = content.language.hovers;
+  const std::string words = is_on             ? ""
+                            : content.hovered ? hover_words(*content.hovered, content.language, content.keys)
+                            : content.hovered_grip == StageGrip::wall  ? std::string(all.wall)
+                            : content.hovered_grip == StageGrip::motor ? std::string(all.motor)
+                                                                       : "";
+  if (words.empty()) return std::nullopt;
+  const TextStyle& style = layout.letters.words;
+  HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
+  const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
+  const double padding = canvas.points(hover_padding);
+  const ScreenBox& strip = layout.strip();
+  const double left = strip.most.x - extent.x - 2.0 * padding;
+  const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
+  const double below = layout.lesson ? std::max(strip.most.y, layout.lesson->title_box.most.y) : strip.most.y;
+  const double top = is_beside_sentence ? below : std::max(below, layout.sentence_box.most.y);
+  const Vector<2> corner = Vector<2>(left, top + canvas.points(8.0)) + Vector<2>(padding);
+  panel.box = ScreenBox{corner, corner + extent}.grown(padding);
+  return panel;
+}
+
+void add_hover_panel(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto panel = hover_panel(layer);
+  if (!panel) return;
+  canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
+             canvas.width(1.5));
+  canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,
+              content.theme.text, false);
+}
+
+// Above the button that it speaks of.
+void add_cure_hint(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.hint != StageHint::cure) return;
+  const ScreenBox& button = layout.strategies.back().box;
+  const TextStyle& style = layout.letters.bold_words;
+  const std::string words(content.language.buttons.cure_hint);
+  const Vector<2> extent = content.measure(words, style);
+  const double above = canvas.points(200.0);
+  const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
+                         {layout.size.x - layout.margin, button.least.y - canvas.points(6.0)}};
+  const auto found = canvas.labels.place_block({.id = StageLabel::hint,
+                                                .extent = extent,
+                                                .region = region,
+                                                .wanted = {button.least.x, region.most.y - extent.y},
+                                                .may_cover = true});
+  if (found) canvas.text(Role::hint, found->box.least, words, style, faded(content.theme.accent, found->strength));
+}
+
+struct LargeNumber {
+  std::string number;  // empty: it cannot be known
+  std::string_view unit;
+  std::string_view words;
+};
+
+void add_number(const StageLayer& layer, const LargeNumber& number, const Vector<2>& corner, double strength) {
+  const auto& [content, layout, canvas] = layer;
+  const StageLetters& letters = layout.letters;
+  const Theme& theme = content.theme;
+  // Pale on the way from one strategy to another: then it is no strategy's own.
+  const Colour colour = stage_colour(content.moment, theme.strategy_text);
+  const Colour shown = content.moment.is_between() ? mix(theme.background, colour, 0.55) : colour;
+  const std::string digits = number.number.empty() ? "–" : number.number;
+  const double width = content.measure(digits, letters.number).x;
+  canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number,
+              faded(shown, strength));
+  canvas.text(Role::number,
+              corner + Vector<2>(layout.number_width + canvas.points(14.0),
+                                 0.79 * letters.number.height - 0.79 * letters.unit.height),
+              std::string(number.unit), letters.unit, faded(theme.faint_text, strength));
+  canvas.text(Role::number, corner + Vector<2>(0.0, letters.number.height - canvas.points(6.0)),
+              std::string(number.words), letters.words, faded(theme.faint_text, strength));
+}
+
+}  // namespace
+
+void add_plate(const StageLayer& layer, const ScreenBox& words) {
+  const auto& [content, layout, canvas] = layer;
+  const Colour plate = faded(content.theme.background, 0.85);
+  canvas.box(Role::sentence, words.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
+}
+
+void add_sentence(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.lesson) add_plate(layer, layout.sentence_box);
+  canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
+              content.warning.empty() ? content.theme.text : content.theme.problem);
+}
+
+void add_numbers(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.hides.numbers) return;
+  const StageMoment& moment = content.moment;
+  // Rather farther down than away from the left side.
+  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
+                                                .extent = layout.numbers_size,
+                                                .region = layout.room(),
+                                                .wanted = layout.numbers_corner(),
+                                                .distance_cost = {3.0, 1.0},
+                                                .may_cover = true,
+                                                .is_never_missing = true});
+  if (!found || found->strength <= 0.0) return;
+  const StageNumbers numbers = stage_numbers(moment);
+  const std::optional<double>& ghost = numbers.ghost_force;
+  const StageLanguage::Numbers& all = content.language.numbers;
+  const std::string_view ghost_words = content.hides.force            ? all.ghost_force
+                                       : !ghost                       ? all.ghost_force_unknown
+                                       : *ghost <= -least_shown_force ? all.ghost_force_too_little
+                                                                      : all.ghost_force;
+  const auto told = [](bool is_hidden, const std::optional<double>& number, const auto& words) -> std::string {
+    return is_hidden ? "?" : number ? words(*number) : "";
+  };
+  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, found->box.least,
+             found->strength);
+  const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
+  add_number(
+      layer,
+      {told(content.hides.slide, numbers.slide, slide_number), "mm", numbers.slide ? all.slide : all.slide_unknown},
+      found->box.least + below, found->strength);
+}
+
+void add_buttons(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
+  for (const StageButton& button : layout.icons) add_icon(layer, button);
+  if (content.lesson) add_lesson_frame(layer);
+  if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
+  if (layout.corner) add_corner_button(layer, *layout.corner, content.corner->is_alarming);
+  for (const StageButton& link : layout.links) {
+    canvas.text(Role::button, link.box.least, link.words, layout.letters.words,
+                is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
+  }
+  add_hover_panel(layer);
+  add_cure_hint(layer);
+}
+
+void keep_frame_clear(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  LabelPlacer& labels = canvas.labels;
+  // Words beside it must not read as its end.
+  const Vector<2> aside(layout.unit * 4.0, 0.0);
+  labels.keep_clear(ScreenBox{layout.sentence_box.least - aside, layout.sentence_box.most + aside});
+  const double rim = canvas.width(2.0);
+  for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
+  for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+    if (*button) labels.keep_clear((*button)->box.grown(rim));
+  }
+  for (const StageButton& link : layout.links) labels.keep_clear(link.box.grown(rim));
+  if (layout.lesson) keep_lesson_clear(layer);
+  if (layout.ribbon) labels.keep_clear(*layout.ribbon);
+  if (const auto panel = hover_panel(layer)) labels.keep_clear(panel->box.grown(rim));
+}
+
+}  // namespace ghostforce

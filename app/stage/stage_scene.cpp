@@ -1,0 +1,354 @@
+// Everything of the stage that is a thing: wall, rail, springs, hand, handle, force, ruler.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <glm/geometric.hpp>
+
+#include "app/stage/stage_layers.h"
+#include "app/stage/stage_scene.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr Colour skin = rgb(0xF3C9A5);
+constexpr Colour skin_rim = rgb(0x6B4A31);
+
+Vector<2> normal_on_screen(const StageContent& content) {
+  return to_screen_direction(direction_at(content.settings.wall_normal_angle));
+}
+
+Vector<2> motor_on_screen(const StageContent& content) {
+  return to_screen_direction(direction_at(content.settings.actuated_angle));
+}
+
+// Half the rail's length to either side of the handle [points of the design].
+constexpr double short_rail = 72.0;
+constexpr double long_rail = 340.0;
+constexpr double beyond_hand = 130.0;
+constexpr double chevron = 11.0;
+
+double fullness_of(const StageMoment& moment) {
+  return moment.weights[index_of(StrategyId::full)];
+}
+
+// How far a line from `middle` goes before it leaves the box, at most `reach`.
+double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const ScreenBox& box) {
+  ScreenPiece piece{middle, middle + direction * reach, 0.0};
+  if (!clip(box, piece)) return 0.0;
+  return glm::distance(middle, piece.to);
+}
+
+std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                                   const ScreenBox& scene, double unit) {
+  const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
+  const Vector<2> middle = to_screen(camera, moment.handle);
+  const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
+  // One motor's rail can be seen beyond the hand, too.
+  const auto end = [&](double side) {
+    const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
+    const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
+    const Vector<2> direction = side * along;
+    return middle + direction * reach_inside(middle, direction, reach, scene.grown(-24.0 * unit));
+  };
+  return {end(-1.0), end(1.0)};
+}
+
+void add_chevron(const StageCanvas& canvas_in, const Vector<2>& tip, const Vector<2>& direction, Colour colour) {
+  StageCanvas canvas = canvas_in;
+  const Vector<2> across{-direction.y, direction.x};
+  const Vector<2> back = tip - direction * canvas.points(chevron);
+  canvas.curve(Role::motor_axis, {back + across * canvas.points(chevron), tip, back - across * canvas.points(chevron)},
+               canvas.width(4.0), colour);
+  canvas.labels.keep_clear(back, back, canvas.points(chevron) + canvas.width(2.0), Clearance::if_possible);
+}
+
+}  // namespace
+
+Colour stage_colour(const StageMoment& moment, const PerStrategy<Colour>& colours) {
+  Colour mixed = colours[0];
+  double sum = moment.weights[0];
+  for (std::size_t i = 1; i < strategy_count; ++i) {
+    if (moment.weights[i] <= 0.0) continue;
+    sum += moment.weights[i];
+    mixed = mix(mixed, colours[i], moment.weights[i] / sum);
+  }
+  return mixed;
+}
+
+namespace {
+
+// To turn something by.
+void add_knobs(const StageLayer& layer, const std::array<Vector<2>, 2>& places, StageGrip grip) {
+  const auto& [content, layout, canvas] = layer;
+  const bool is_hot = content.hovered_grip == grip;
+  for (const Vector<2>& place : places) {
+    canvas.disc(Role::handle, place, canvas.points(is_hot ? 11.0 : 8.0), content.theme.background,
+                is_hot ? content.theme.accent : content.theme.wall_edge, canvas.width(3.0));
+    canvas.labels.keep_clear(place, place, canvas.points(12.0));
+  }
+}
+
+}  // namespace
+
+void add_stage_wall(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const Wall<2> wall = wall_of(content.settings);
+  canvas.marks.push_back({Role::wall, {}, HalfPlane{wall.point, wall.normal, theme.wall}});
+  // Quiet lines beside the edge, as many as reach the farthest corner.
+  const Vector<2> normal = normal_on_screen(content);
+  const Vector<2> along{-normal.y, normal.x};
+  const Vector<2> middle = 0.5 * layout.size;
+  const double reach = 0.5 * glm::length(layout.size);
+  const Vector<2> edge = middle - normal * glm::dot(middle - canvas.at(wall.point), normal);
+  const double spacing = canvas.points(22.0);
+  const Colour quiet = mix(theme.wall, theme.wall_edge, 0.07);
+  const double to_middle = glm::dot(edge - middle, normal);
+  const double first = std::max(1.0, std::ceil((to_middle - reach) / spacing));
+  for (double i = first; to_middle - i * spacing > -reach; i += 1.0) {
+    const Vector<2> foot = edge - normal * (i * spacing);
+    canvas.line(Role::hatching, foot - along * reach, foot + along * reach, canvas.points(2.5), quiet);
+  }
+  canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
+  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
+  if (!content.may_turn_wall) return;
+  if (const auto grips =
+          stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
+    add_knobs(layer, *grips, StageGrip::wall);
+  }
+}
+
+void add_rail(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const double fullness = fullness_of(content.moment);
+  const Colour rail = mix(theme.wall, theme.wall_edge, 0.14);
+  const bool is_hot = content.hovered_grip == StageGrip::motor;
+  const Colour ends = is_hot ? theme.accent : mix(theme.wall, theme.wall_edge, 0.5);
+  const auto add = [&](const std::array<Vector<2>, 2>& piece) {
+    if (glm::distance(piece[0], piece[1]) < canvas.points(1.0)) return;
+    const Vector<2> along = glm::normalize(piece[1] - piece[0]);
+    canvas.line(Role::motor_axis, piece[0], piece[1], canvas.points(12.0), rail);
+    add_chevron(canvas, piece[0] - along * canvas.points(14.0), -along, ends);
+    add_chevron(canvas, piece[1] + along * canvas.points(14.0), along, ends);
+    canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
+                             canvas.points(7.0), Clearance::if_possible);
+  };
+  const std::array<Vector<2>, 2> rail_piece =
+      rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit);
+  add(rail_piece);
+  if (content.may_turn_motor) add_knobs(layer, rail_piece, StageGrip::motor);
+  if (fullness <= 0.0) return;
+  const Vector<2> along = motor_on_screen(content);
+  const Vector<2> across = Vector<2>(-along.y, along.x) * canvas.points(short_rail * fullness);
+  const Vector<2> middle = canvas.at(content.moment.handle);
+  add({middle - across, middle + across});
+}
+
+void add_expectations(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StageMoment& moment = content.moment;
+  if (!moment.in_contact) return;
+  const Vector<2> foot = canvas.at(moment.expected_contact);
+  const Vector<2> goal = canvas.at(moment.goal);
+  canvas.line(Role::expected_contact, goal, foot, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
+  canvas.labels.keep_clear(goal, foot, canvas.width(1.0), Clearance::if_possible);
+  // Under the handle there is nothing to see of it.
+  const Vector<2> rest = canvas.at(moment.expected_rest);
+  const double apart = glm::distance(rest, canvas.at(moment.handle));
+  if (content.hides.rest || moment.is_measured || apart < canvas.points(2.0)) return;
+  const double strength = std::min(1.0, apart / canvas.points(20.0));
+  canvas.ring(Role::expected_rest, rest, canvas.points(handle_radius), canvas.width(2.5),
+              faded(theme.faint_text, strength));
+  canvas.labels.keep_clear(rest, rest, canvas.points(handle_radius));
+}
+
+void add_springs(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StageMoment& moment = content.moment;
+  const Vector<2> handle = canvas.at(moment.handle);
+  canvas.coil(Role::tracking_link, handle, canvas.at(moment.proxy), 6, canvas.width(3.5),
+              stage_colour(moment, theme.strategy));
+  canvas.coil(Role::hand_spring, handle, canvas.at(moment.goal), 9, canvas.width(3.0), theme.text);
+}
+
+void add_stage_hand(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StageMoment& moment = content.moment;
+  const Vector<2> goal = canvas.at(moment.goal);
+  // The arm lies where the hand pulls to; a hand that does not pull yet, into the wall.
+  const Vector<2> pull = goal - canvas.at(moment.handle) - normal_on_screen(content) * canvas.points(25.0);
+  const double length = glm::length(pull);
+  const Vector<2> arm = length > 0.0 ? pull / length : -normal_on_screen(content);
+  const Vector<2> across{-arm.y, arm.x};
+  const double strength = moment.is_measured ? 0.5 : 1.0;  // of an inferred hand
+  const double rim = canvas.width(2.0);
+  const auto place = [&](double along_arm, double across_arm) {
+    return goal + arm * canvas.points(along_arm) + across * canvas.points(across_arm);
+  };
+  struct Limb {
+    Vector<2> from;
+    Vector<2> to;
+    double thickness;
+  };
+  const auto add = [&](std::initializer_list<Limb> limbs) {
+    // All rims first, so that what belongs together has one outline.
+    for (const bool is_rim : {true, false}) {
+      for (const Limb& limb : limbs) {
+        const double thickness = canvas.points(limb.thickness) + (is_rim ? rim : -rim);
+        canvas.line(Role::hand, place(limb.from.x, limb.from.y), place(limb.to.x, limb.to.y), thickness,
+                    mix(theme.wall, is_rim ? skin_rim : skin, strength));
+      }
+    }
+  };
+  add({{{36.0, -9.0}, {70.0, -9.0}, 26.0}, {{36.0, 9.0}, {70.0, 9.0}, 26.0}, {{36.0, 0.0}, {70.0, 0.0}, 26.0}});
+  for (const double finger : {-18.0, -6.0, 6.0, 18.0}) add({{{0.0, finger}, {24.0, finger}, 12.5}});
+  add({{{14.0, 24.0}, {42.0, 15.0}, 13.0}});
+  canvas.disc(Role::goal, goal, canvas.points(9.0), theme.goal, theme.goal_rim, canvas.width(2.5));
+  canvas.labels.keep_clear(place(8.0, 0.0), place(62.0, 0.0), canvas.points(30.0));
+}
+
+std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  const double share = glm::length(moment.wall_share);
+  const double ghost = signed_ghost_force(moment);
+  const double longest = std::max(std::abs(share), std::abs(share + ghost));
+  if (!(longest > 0.0)) return std::nullopt;
+  // Forces that would leave the picture are all drawn shorter, in proportion.
+  const double share_of_picture = content.is_bare ? 0.33 : 0.45;
+  const double most = share_of_picture * std::min(layout.size.x, 1.4 * layout.size.y);
+  const double usual = (content.is_bare ? most : canvas.points(235.0)) / content.reference_force;
+  const double per_newton = std::min(usual, most / longest);
+  if (longest * per_newton < canvas.points(3.0)) return std::nullopt;
+  const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
+  Vector<2> direction = to_screen_direction(world);
+  // The loop may not have seen yet that the motor has been turned.
+  if (fullness_of(moment) == 0.0) {
+    const Vector<2> rail = motor_on_screen(content);
+    direction = glm::dot(rail, direction) < 0.0 ? -rail : rail;
+  }
+  return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, ghost * per_newton};
+}
+
+void add_stage_force(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto found = force_arrow(layer);
+  if (!found) return;
+  const ForceArrow& arrow = *found;
+  const Theme& theme = content.theme;
+  const Colour dark = mix(theme.wall_edge, theme.background, 0.08);
+  const Colour red = theme.strategy[index_of(StrategyId::naive)];
+  const double body = canvas.points(arrow_width);
+  const double rim = canvas.width(2.5);
+  const double head = 2.185 * body;     // its length, as painters draw it
+  const double with_head = head / 0.8;  // the shortest arrow whose head has its full size
+  const auto add = [&](Role role, const Vector<2>& from, const Vector<2>& to, Colour fill, Colour edge, bool has_head,
+                       bool is_hatched) {
+    canvas.marks.push_back({role,
+                            {},
+                            Arrow{to_world(canvas.camera, from), to_world(canvas.camera, to), body, fill, edge, rim,
+                                  Vector<2>(0.0), has_head, is_hatched}});
+  };
+  const Vector<2> tip = arrow.tip();
+  if (arrow.ghost >= 0.0) {
+    // One head for both: of the wall's colour without a ghost, and more and more the ghost's as that grows.
+    const double length = std::min(std::max(arrow.ghost, with_head), arrow.share + arrow.ghost);
+    const double ghostly = std::clamp(arrow.ghost / with_head, 0.0, 1.0);
+    // The bar ends where the head begins, which is narrower at its tip.
+    const double bar = std::min(arrow.share, arrow.share + arrow.ghost - head * std::min(1.0, length / with_head));
+    if (bar > 0.0) add(Role::wall_share, arrow.start, arrow.start + arrow.direction * bar, dark, dark, false, false);
+    add(ghostly > 0.0 ? Role::ghost_force : Role::wall_share, tip - arrow.direction * length, tip,
+        mix(dark, theme.background, ghostly), mix(dark, red, ghostly), true, ghostly > 0.0);
+  } else {
+    // Too little: it folds back over the share.
+    add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, true, false);
+    if (-arrow.ghost >= canvas.points(1.0))
+      add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
+  }
+  canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
+  canvas.labels.keep_clear(arrow.start, tip, body);
+  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.3 * body);
+}
+
+std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
+  const Vector<2> out = normal_on_screen(content);
+  const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
+  const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;
+  if (glm::distance(from, to) < canvas.points(1.0)) return std::nullopt;
+  return SlideRuler{from, to, out};
+}
+
+void add_slide(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto ruler = slide_ruler(layer);
+  if (!ruler) return;
+  const double strength = std::min(1.0, glm::distance(ruler->from, ruler->to) / canvas.points(14.0));
+  const Colour colour = faded(stage_colour(content.moment, content.theme.strategy), strength);
+  const Vector<2> tick = ruler->out * canvas.points(9.0);
+  canvas.line(Role::proxy_drift, ruler->from, ruler->to, canvas.width(3.0), colour);
+  for (const Vector<2>& end : {ruler->from, ruler->to}) {
+    canvas.line(Role::proxy_drift, end - tick, end + tick, canvas.width(3.0), colour);
+  }
+  canvas.labels.keep_clear(ruler->from, ruler->to, canvas.points(10.0));
+}
+
+double shape_reach(const StageMoment& moment, double radius) {
+  constexpr std::array reach{1.0, 1.3, 1.57};  // of disc, diamond and triangle, as the painters draw them
+  double most = 0.0;
+  for (const Strategy& entry : strategy_catalog()) {
+    const auto shape = static_cast<std::size_t>(strategy_style(entry.id).shape);
+    if (moment.weights[index_of(entry.id)] > 0.0) most = std::max(most, reach[shape]);
+  }
+  return most * radius;
+}
+
+void add_handle(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const StageMoment& moment = content.moment;
+  const auto add = [&](Role role, const Vector<2>& at, double radius, bool is_filled) {
+    for (const Strategy& entry : strategy_catalog()) {
+      const double weight = moment.weights[index_of(entry.id)];
+      if (weight <= 0.0) continue;
+      const Colour own = faded(theme.strategy[index_of(entry.id)], weight);
+      const Colour paper = faded(theme.background, weight);
+      canvas.marks.push_back({role, entry.id,
+                              Marker{at, strategy_style(entry.id).shape, canvas.points(radius), is_filled ? own : paper,
+                                     is_filled ? paper : own, canvas.width(4.0)}});
+    }
+    canvas.labels.keep_clear(canvas.at(at), canvas.at(at),
+                             shape_reach(moment, canvas.points(radius)) + canvas.width(2.0));
+  };
+  if (moment.in_contact) {
+    add(Role::proxy, moment.proxy, 11.0, false);
+    const Vector<2> foot = canvas.at(moment.expected_contact);
+    canvas.disc(Role::expected_contact, foot, canvas.points(5.5), theme.text, theme.text, 0.0);
+    canvas.labels.keep_clear(foot, foot, canvas.points(6.0));
+  }
+  add(Role::device, moment.handle, handle_radius, true);
+}
+
+StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
+                       const ScreenBox& scene, double unit) {
+  StageGrips grips{rail_ends(settings, moment, camera, scene, unit), {}};
+  // The wall's edge, cut to the scene.
+  const Vector<2> at = to_screen(camera, settings.wall_point);
+  const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));
+  const Vector<2> along{-normal.y, normal.x};
+  const double reach = glm::distance(at, 0.5 * camera.size) + glm::length(camera.size);
+  ScreenPiece edge{at - along * reach, at + along * reach, 0.0};
+  constexpr double shortest = 120.0;  // of an edge that can be turned by its ends
+  const bool is_seen = clip(scene.grown(-26.0 * unit), edge) && glm::distance(edge.from, edge.to) > shortest * unit;
+  if (is_seen) grips.wall = std::array{edge.from, edge.to};
+  return grips;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,45 @@
+// The words of the stage that depend on the moment: the one sentence, which is true of what is shown, and the numbers.
+// Pure, any thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/state/stage_language.h"
+#include "app/state/stage_moment.h"
+
+namespace ghostforce {
+
+// Who the words are for.
+struct StageAudience {
+  bool can_drag = true;                      // the hand follows the pointer
+  bool looks_back = false;                   // an earlier moment is shown
+  bool feels_tones = false;                  // they sound in the motor, to measure the hand
+  StrategyId heads_for = StrategyId::naive;  // of a moment between two strategies
+};
+
+std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
+                                const StageLanguage& language);
+
+// What is smaller is shown as nothing, and called so.
+inline constexpr double least_shown_force = 0.005;    // [N]
+inline constexpr double least_shown_slide = 0.00005;  // [m]
+
+// What the moment comes to. Empty: it cannot be known.
+struct StageNumbers {
+  std::optional<double> force{};        // of the motor, along it [N]
+  std::optional<double> wall_share{};   // of that force [N]
+  std::optional<double> ghost_force{};  // the rest of it; negative: the motor pushes too little [N]
+  std::optional<double> slide{};        // along the wall, without a sign [m]
+};
+StageNumbers stage_numbers(const StageMoment& moment) noexcept;
+
+// A size with its sign left out, three digits wide at all sizes: "1.27", "12.7", "127".
+std::string force_number(double newton);
+std::string slide_number(double metres);
+
+// "left and right", "up and down", or "at 30°".
+std::string motor_direction_words(double actuated_angle, const StageLanguage& language);
+
+}  // namespace ghostforce

@@ -1,0 +1,227 @@
+// The words beside the things of the stage, the most important first.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+
+#include "app/stage/stage_layers.h"
+#include "app/stage/stage_scene.h"
+
+namespace ghostforce {
+namespace {
+
+// The lower one of both directions across a line on the screen; of an upright line the right one.
+Vector<2> lower_side(const Vector<2>& along) {
+  const Vector<2> across{-along.y, along.x};
+  return across.y > 0.0 || (across.y == 0.0 && across.x > 0.0) ? across : -across;
+}
+
+void add_force_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  const auto arrow = force_arrow(layer);
+  if (!arrow) return;
+  if (content.hides.force || glm::length(moment.ghost_force) < least_shown_force) return;
+  canvas.label(
+      Role::ghost_force,
+      {StageLabel::ghost,
+       {with_number(content, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
+       layout.letters.bold_words,
+       arrow->share_end(),
+       arrow->tip(),
+       canvas.points(arrow_width),
+       lower_side(arrow->direction)},
+      content.theme.strategy_text[index_of(StrategyId::naive)]);
+}
+
+void add_share_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto arrow = force_arrow(layer);
+  const double share = glm::length(content.moment.wall_share);
+  if (content.hides.force || !arrow || share < least_shown_force) return;
+  const StageLanguage::Labels& words = content.language.labels;
+  canvas.label(
+      Role::wall_share,
+      {StageLabel::wall_share,
+       {with_number(content, content.moment.knows_ghost_force ? words.wall : words.motor, force_number(share), "N")},
+       layout.letters.words,
+       arrow->start,
+       arrow->share_end(),
+       canvas.points(arrow_width),
+       lower_side(arrow->direction)},
+      content.theme.text);
+}
+
+void add_slide_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const auto ruler = slide_ruler(layer);
+  const double slide = glm::length(content.moment.slide);
+  if (content.hides.slide || !ruler || slide < least_shown_slide) return;
+  canvas.label(Role::proxy_drift,
+               {StageLabel::slide,
+                {with_number(content, content.language.labels.slid, slide_number(slide), "mm")},
+                layout.letters.bold_words,
+                ruler->from,
+                ruler->to,
+                canvas.points(12.0),
+                ruler->out},
+               stage_colour(content.moment, content.theme.strategy_text));
+}
+
+void add_handle_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  canvas.label(Role::device,
+               {StageLabel::handle,
+                {std::string(content.language.labels.handle)},
+                layout.letters.bold_words,
+                canvas.at(content.moment.handle),
+                canvas.at(content.moment.handle),
+                shape_reach(content.moment, canvas.points(handle_radius)) + canvas.width(2.0),
+                Vector<2>(1.0, -1.0)},
+               stage_colour(content.moment, content.theme.strategy_text));
+}
+
+Vector<2> into_the_wall(const StageContent& content) {
+  return -to_screen_direction(direction_at(content.settings.wall_normal_angle));
+}
+
+void add_expectation_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const StageMoment& moment = content.moment;
+  if (moment.has_target) {
+    canvas.label(Role::target,
+                 {StageLabel::expected_contact,
+                  {std::string(content.language.labels.target)},
+                  layout.letters.bold_words,
+                  canvas.at(moment.expected_contact),
+                  canvas.at(moment.expected_contact),
+                  canvas.points(7.0),
+                  into_the_wall(content)},
+                 content.theme.text);
+  }
+  if (!moment.in_contact || moment.is_measured) return;
+  const Vector<2> rest = canvas.at(moment.expected_rest);
+  const bool is_apart = glm::distance(rest, canvas.at(moment.handle)) > canvas.points(2.0 * handle_radius);
+  if (is_apart && !content.hides.rest) {
+    canvas.label(Role::expected_rest,
+                 {StageLabel::expected_rest,
+                  {std::string(content.language.labels.should_rest)},
+                  layout.letters.words,
+                  rest,
+                  rest,
+                  canvas.points(handle_radius),
+                  Vector<2>(0.0, -1.0)},
+                 content.theme.faint_text);
+  }
+  const Vector<2> foot = canvas.at(moment.expected_contact);
+  if (glm::distance(foot, canvas.at(moment.proxy)) > canvas.points(26.0)) {
+    canvas.label(Role::expected_contact,
+                 {StageLabel::expected_contact,
+                  {std::string(content.language.labels.should_hold)},
+                  layout.letters.words,
+                  foot,
+                  foot,
+                  canvas.points(7.0),
+                  into_the_wall(content) + Vector<2>(0.6, -0.6)},
+                 content.theme.faint_text);
+  }
+}
+
+// In a corner of the picture that is deep in the wall, above if there is one.
+void add_wall_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const std::string words(content.language.labels.virtual_wall);
+  const Vector<2> extent = content.measure(words, layout.letters.words);
+  const Vector<2> inwards = into_the_wall(content);
+  const Vector<2> edge = canvas.at(wall_of(content.settings).point);
+  const ScreenBox room = layout.room().grown(-canvas.points(26.0));
+  const double top = layout.top + canvas.points(16.0);
+  const std::array corners{Vector<2>(room.most.x - extent.x, top), room.most - extent,
+                           Vector<2>(room.least.x, room.most.y - extent.y), Vector<2>(room.least.x, top)};
+  const auto is_deep = [&](const Vector<2>& corner) {
+    return glm::dot(corner + 0.5 * extent - edge, inwards) > 0.5 * extent.x + canvas.points(30.0);
+  };
+  const auto* const corner = std::ranges::find_if(corners, is_deep);
+  if (corner == corners.end()) return;
+  const LabelBlock block{.id = StageLabel::wall,
+                         .extent = extent,
+                         .region = layout.room(),
+                         .wanted = *corner,
+                         // What lies in the wall lies to the right of its edge.
+                         .edge = ScreenPiece{edge, edge + Vector<2>(inwards.y, -inwards.x), 0.0}};
+  canvas.label(Role::wall, {.id = StageLabel::wall, .lines = {words}, .style = layout.letters.words, .block = block},
+               content.theme.faint_text);
+}
+
+}  // namespace
+
+std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
+                        std::string_view unit) {
+  return content.hides.numbers ? std::string(words) : fmt::format("{} {} {}", words, number, unit);
+}
+
+void add_hand_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const bool is_asked_to_drag = content.hint == StageHint::drag;
+  const StageLanguage::Labels& all = content.language.labels;
+  // Lessons ask for a depth.
+  const double deep = depth(wall_of(content.settings), content.moment.goal);
+  const std::string words = content.moment.is_measured                    ? std::string(all.hand_inferred)
+                            : is_asked_to_drag                            ? std::string(all.hand_to_drag)
+                            : content.lesson && deep >= least_shown_slide ? filled(all.hand_in_wall, slide_number(deep))
+                                                                          : std::string(all.hand);
+  const std::vector<std::string> measured =
+      content.measuring ? measured_hand_words(*content.measuring, content.language) : std::vector<std::string>();
+  const bool stands_out = is_asked_to_drag || !measured.empty();
+  canvas.label(Role::hand,
+               {is_asked_to_drag   ? StageLabel::hint
+                : measured.empty() ? StageLabel::hand
+                                   : StageLabel::measured_hand,
+                is_asked_to_drag || measured.empty() ? std::vector{words} : measured,
+                stands_out ? layout.letters.bold_words : layout.letters.words, canvas.at(content.moment.goal),
+                canvas.at(content.moment.goal), canvas.points(content.measuring ? measuring_ring + 6.0 : 34.0),
+                Vector<2>(0.5, -1.0)},
+               stands_out ? content.theme.accent : content.theme.text);
+}
+
+void add_motor_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.moment.weights[index_of(StrategyId::full)] > 0.0) return;
+  const StageLanguage::Labels& all = content.language.labels;
+  // Whoever feels tones must not take them for the wall. The mode that measures says so by itself.
+  const bool trembles = content.audience.feels_tones && !content.measuring;
+  const bool is_asked_to_turn = content.hint == StageHint::motor && !trembles;
+  const std::string words =
+      trembles ? std::string(all.motor_measures)
+      : is_asked_to_turn
+          ? std::string(all.motor_to_turn)
+          : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
+  const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
+  canvas.label(Role::motor_axis,
+               {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,
+                {words},
+                is_asked_to_turn ? layout.letters.bold_words : layout.letters.words,
+                ends[0],
+                ends[1],
+                canvas.points(10.0),
+                lower_side(rail),
+                ends[1].x > ends[0].x ? 0.85 : 0.15,
+                !is_asked_to_turn},
+               is_asked_to_turn ? content.theme.accent : content.theme.faint_text);
+}
+
+void add_stage_words(const StageLayer& layer) {
+  add_force_words(layer);
+  add_slide_words(layer);
+  add_handle_words(layer);
+  add_share_words(layer);
+  add_hand_words(layer);
+  add_expectation_words(layer);
+  add_motor_words(layer);
+  add_wall_words(layer);
+}
+
+}  // namespace ghostforce

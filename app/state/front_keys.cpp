@@ -1,0 +1,9 @@
+#include "app/state/front_keys.h"
+
+namespace ghostforce {
+
+const FrontKeys& front_keys() noexcept {
+  return keys_on_desktop;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,195 @@
+#include "app/state/permit.h"
+
+#include "app/state/lesson_guide.h"
+#include "app/state/measurement_guide.h"
+
+namespace ghostforce {
+namespace {
+
+using Permission = std::optional<Refusal>;
+
+constexpr Refusal not_for_visitors{"Visitors have no way to that."};
+constexpr Refusal left_to_lesson{"The lesson does that itself. Leave it first."};
+constexpr Refusal not_in_this_step{"This step of the lesson leaves that as it is."};
+constexpr Refusal nothing_is_asked{"Nothing is asked that this could answer."};
+constexpr Refusal not_by_pointer{"The goal follows another hand."};
+constexpr Refusal map_is_gone{"The landscape is not shown, or has no such handle."};
+constexpr Refusal not_measured{"The hand has not been measured yet."};
+constexpr Refusal not_seen{"That is seen on the workbench alone."};
+constexpr Refusal view_of_its_own{"This picture always shows all that there is."};
+constexpr Refusal measurement_sets_it{"The measurement has changed that. Finish or cancel it first."};
+constexpr Refusal curves_are_hidden{
+    "These curves cannot be saved while the hand is measured: they would show the answer. Finish the measurement and "
+    "reveal the hand first.",
+    true, true};
+constexpr Refusal measures_otherwise{"First finish or cancel “Measure the hand” on the workbench.", true};
+
+// A visitor has no way to files, settings or the window.
+using ForVisitors =
+    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
+                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber,
+                 PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
+                 StopMotors, AcknowledgeOff, Escape, Quit>;
+
+// A lesson tells its own time, says which mode is on, and leaves nothing to undo.
+using LeftToLesson =
+    std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, Undo, Redo>;
+
+Permission refuse_unless(bool is_allowed, const Refusal& refusal) {
+  return is_allowed ? std::nullopt : Permission(refusal);
+}
+
+Permission permit_control(const Session& session, LessonControl control) {
+  return refuse_unless(is_allowed(session, control), not_in_this_step);
+}
+
+Permission permit_slider(const Session& session) {
+  const bool has_slider = session.lesson && lesson_step(*session.lesson).slider;
+  return refuse_unless(has_slider, not_in_this_step);
+}
+
+// The mode would show what a blind measurement hides.
+Permission permit_burst(const Session& session) {
+  return refuse_unless(!is_measuring(session) && !hides_answer(session), measures_otherwise);
+}
+
+// What an action needs besides; most need nothing.
+template <typename A>
+Permission permit_kind(const Session& /*session*/, const A& /*action*/) {
+  return std::nullopt;
+}
+
+Permission permit_kind(const Session& session, const MoveHandBy&) {
+  if (session.stage.guess && session.stage.guess_is_open) return std::nullopt;
+  if (is_allowed(session, LessonControl::hand)) return refuse_unless(session.pointer_moves_goal, not_by_pointer);
+  return permit_slider(session);
+}
+
+Permission permit_kind(const Session& session, const MoveHandTo&) {
+  if (!is_allowed(session, LessonControl::hand)) return not_in_this_step;
+  return refuse_unless(session.pointer_moves_goal, not_by_pointer);
+}
+
+Permission permit_kind(const Session& session, const MoveGuessTo&) {
+  return refuse_unless(session.stage.guess && session.stage.guess_is_open, nothing_is_asked);
+}
+
+Permission permit_kind(const Session& session, const TurnMotorTo&) {
+  return permit_control(session, LessonControl::motor);
+}
+
+Permission permit_kind(const Session& session, const TurnWallTo&) {
+  return permit_control(session, LessonControl::wall);
+}
+
+// A place on the map is a wall and a stiffness.
+Permission permit_kind(const Session& session, const GoToLandscapePoint&) {
+  if (session.stage.mode != StageMode::landscape) return map_is_gone;
+  return permit_control(session, LessonControl::wall);
+}
+
+// With every motor there is no dial.
+Permission permit_kind(const Session& session, const TurnLandscapeDial&) {
+  if (session.stage.mode != StageMode::landscape || session.settings.active == StrategyId::full) return map_is_gone;
+  return permit_control(session, LessonControl::strategies);
+}
+
+Permission permit_kind(const Session& session, const MoveSliderTo&) {
+  return permit_slider(session);
+}
+
+Permission permit_kind(const Session& session, const NudgeSlider&) {
+  return permit_slider(session);
+}
+
+Permission permit_kind(const Session& session, const TurnMotorBy&) {
+  return permit_control(session, LessonControl::motor);
+}
+
+Permission permit_kind(const Session& session, const TurnWallToLargestDrift&) {
+  return permit_control(session, LessonControl::wall);
+}
+
+Permission permit_kind(const Session& session, const ChooseStrategy&) {
+  return permit_control(session, LessonControl::strategies);
+}
+
+Permission permit_kind(const Session& session, const ChooseByNumber&) {
+  if (has_open_question(session, LessonQuestion::choose)) return std::nullopt;
+  return permit_control(session, LessonControl::strategies);
+}
+
+Permission permit_kind(const Session& session, const AnswerLesson&) {
+  return refuse_unless(has_open_question(session, LessonQuestion::choose), nothing_is_asked);
+}
+
+Permission permit_kind(const Session& session, const ToggleMode& action) {
+  return action.mode == StageMode::measure ? permit_burst(session) : std::nullopt;
+}
+
+// In a lesson the step says whether there is something to measure.
+Permission permit_kind(const Session& session, const MeasureHand&) {
+  if (!session.lesson) return permit_burst(session);
+  return refuse_unless(session.stage.mode == StageMode::measure, not_in_this_step);
+}
+
+Permission permit_kind(const Session& session, const NextCompareMode&) {
+  return refuse_unless(session.face == Face::workbench, not_seen);
+}
+
+Permission permit_kind(const Session& session, const ToggleViewOption&) {
+  return refuse_unless(session.face == Face::workbench, not_seen);
+}
+
+Permission permit_view(const Session& session) {
+  const StageMode mode = session.stage.mode;
+  return refuse_unless(mode != StageMode::landscape && mode != StageMode::round, view_of_its_own);
+}
+
+Permission permit_kind(const Session& session, const ZoomView&) {
+  return permit_view(session);
+}
+
+Permission permit_kind(const Session& session, const MoveView&) {
+  return permit_view(session);
+}
+
+Permission permit_kind(const Session& session, const PanView&) {
+  return permit_view(session);
+}
+
+// To take back what a measurement has set is to cancel it; then there is nothing to do again.
+Permission permit_kind(const Session& session, const Redo&) {
+  return refuse_unless(!is_measuring(session), measurement_sets_it);
+}
+
+Permission permit_kind(const Session& session, const SavePlots&) {
+  return refuse_unless(!hides_curves(session), curves_are_hidden);
+}
+
+// What was never measured cannot be believed.
+Permission permit_kind(const Session& session, const Believe& action) {
+  return refuse_unless(action.source != BeliefSource::measured || session.measured_k_u, not_measured);
+}
+
+Permission permit_kind(const Session& session, const BelieveMeasurement&) {
+  return refuse_unless(session.measurement.stage == UserMeasurement::Stage::done, not_measured);
+}
+
+Permission permit_kind(const Session& session, const Quit& action) {
+  return refuse_unless(!session.visit || action.ends_visit, not_for_visitors);
+}
+
+}  // namespace
+
+std::optional<Refusal> permit(const Session& session, const Action& action) {
+  return std::visit(
+      [&]<typename A>(const A& wanted) -> Permission {
+        if (session.visit && !is_one_of<A, ForVisitors>) return not_for_visitors;
+        if (session.lesson && is_one_of<A, LeftToLesson>) return left_to_lesson;
+        return permit_kind(session, wanted);
+      },
+      action);
+}
+
+}  // namespace ghostforce

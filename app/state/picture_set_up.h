@@ -1,0 +1,24 @@
+// The set-up that a picture shows, in the picture's own file: PNG has texts for that, SVG and PDF have a title. Not for
+// the servo thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/png_writer.h"
+#include "app/state/set_up.h"
+
+namespace ghostforce {
+
+// For a PNG file: the program as "Software", the set-up's line as "Description".
+std::vector<PngText> picture_texts(const SetUp& set_up);
+
+// For SVG and PDF: "TITLE: LINE".
+std::string picture_title(std::string_view title, const SetUp& set_up);
+
+// Of a PNG, SVG or PDF file, known by its content. Throws ReadError: wrong where it carries no set-up, or one that cannot
+// be; unreadable where it cannot be read, or is damaged.
+SetUp read_picture_set_up(const std::string& path);
+
+}  // namespace ghostforce

@@ -1,0 +1,37 @@
+#include "app/state/scene_view_limits.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace ghostforce {
+
+SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {
+  const double width = within_scene_limits({shown.center, shown.width / factor}).width;
+  return within_scene_limits({at + (shown.center - at) * (width / shown.width), width});
+}
+
+PaneViews zoomed(const PaneViews& views, double factor, StrategyId pane, const Vector<2>& at) {
+  const SceneView before{views.centers[index_of(pane)], views.width};
+  const SceneView after = zoomed(before, factor, at);
+  PaneViews result = moved(views, after.center - before.center);
+  result.width = after.width;
+  return result;
+}
+
+PaneViews moved(const PaneViews& views, const Vector<2>& by) {
+  PaneViews result = views;
+  for (Vector<2>& center : result.centers) center = nearest_in_scene(center + by);
+  return result;
+}
+
+SceneView within_scene_limits(SceneView shown) {
+  for (const SceneKey& key : scene_keys()) {
+    if (key.table != "view" || key.name != "width_mm") continue;
+    const auto& width = std::get<NumberKey>(key.value);
+    shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
+  }
+  shown.center = nearest_in_scene(shown.center);
+  return shown;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,43 @@
+// StageAction: what a press on a part of the stage asks for. Values, any thread.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <variant>
+
+#include "app/state/face.h"
+#include "app/state/stage_mode.h"
+#include "core/strategy.h"
+
+namespace ghostforce {
+
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
+// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
+// next language; to move its slider; to measure the hand, or use what was measured.
+enum class StageCommand : std::uint8_t {
+  keys,
+  link,
+  motors,
+  lessons,
+  previous,
+  next,
+  leave,
+  language,
+  slider,
+  measure
+};
+
+// An answer to a lesson's question, from 0.
+enum class StageAnswer : std::uint8_t {};
+
+// What a press on a part of the stage asks for.
+using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
+
+// What is printed on the keys that do the same as some of the buttons: they are not the same keys in every front.
+struct StageKeys {
+  std::string_view lessons;
+  std::string_view help;
+  std::string_view link{};  // to what is shown; empty: there is no such thing here
+};
+
+}  // namespace ghostforce

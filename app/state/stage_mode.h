@@ -1,0 +1,28 @@
+// The modes of the stage: further things to do there, each on one key. The one list that the keys, the strip of icons,
+// the command line and the tests walk. Immutable, any thread.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "app/state/stage_language.h"
+
+namespace ghostforce {
+
+enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon, measure };
+
+struct StageModeEntry {
+  StageMode id;
+  std::string_view name;  // in files and on the command line
+  std::string_view key;   // as printed on it
+  StageLanguage::Mode StageLanguage::Modes::*words;
+};
+// Without `none`.
+std::span<const StageModeEntry> stage_mode_catalog() noexcept;
+// Empty when none has that name.
+std::optional<StageMode> find_stage_mode(std::string_view name) noexcept;
+std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
+
+}  // namespace ghostforce

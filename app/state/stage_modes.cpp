@@ -1,0 +1,31 @@
+#include "app/state/stage_modes.h"
+
+#include "app/state/circle_test.h"
+#include "app/state/hand_burst_guide.h"
+#include "device/report/input_choice.h"
+
+namespace ghostforce {
+
+void begin_stage_mode(Session& session, StageMode mode) {
+  leave_stage_mode(session);
+  StageChoice& stage = session.stage;
+  stage.mode = mode;
+  if (mode == StageMode::why) stage.why_step = 1;
+  if (mode == StageMode::round) begin_circle_test(session);
+}
+
+void leave_stage_mode(Session& session) {
+  StageChoice& stage = session.stage;
+  const bool goes_round = session.circle_test.is_on || session.wanted_input == circling_hand.name;
+  if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
+  if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
+  if (stage.mode == StageMode::measure) session.hand_burst = {};
+  // Wall and hand may be others now.
+  if (stage.mode == StageMode::landscape) session.fits_view = true;
+  stage.mode = StageMode::none;
+  stage.why_step = 0;
+  stage.guess.reset();
+  stage.landscape_dial.reset();
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,79 @@
+#include "app/state/stage_moment.h"
+
+#include <cmath>
+
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+
+#include "core/prediction.h"
+
+namespace ghostforce {
+namespace {
+
+// What does not depend on the strategy's own state.
+StageMoment moment_of_goal(const Settings& settings, const Vector<2>& goal) noexcept {
+  const Wall<2> wall = wall_of(settings);
+  StageMoment moment;
+  moment.weights[index_of(settings.active)] = 1.0;
+  moment.goal = goal;
+  moment.expected_rest = strategy(settings.active).has_every_motor
+                             ? equilibrium_of(settings.active, settings, goal).device
+                             : equilibrium_without_ghost(settings, goal).device;
+  moment.expected_contact = projection(wall, goal);
+  return moment;
+}
+
+}  // namespace
+
+StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, const Vector<2>& goal) noexcept {
+  const StrategySnapshot<2>& now = snapshot.strategies[index_of(settings.active)];
+  StageMoment moment = moment_of_goal(settings, goal);
+  moment.handle = now.device;
+  moment.proxy = now.proxy;
+  moment.in_contact = now.in_contact;
+  moment.is_measured = snapshot.measured.has_value();
+  moment.knows_ghost_force = !moment.is_measured || (snapshot.has_target && !std::isnan(now.ghost_force.x));
+  if (moment.knows_ghost_force) moment.ghost_force = now.ghost_force;
+  // In free space the sampled loop has a force of its own, which is no wall's.
+  if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;
+  moment.slide = now.proxy_drift;
+  return moment;
+}
+
+StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept {
+  if (!moment.is_measured) return moment;
+  StageMoment aimed = moment;
+  aimed.has_target = true;
+  aimed.expected_contact = projection(wall, target);
+  aimed.slide = moment.in_contact ? along(wall, moment.proxy - target) : Vector<2>(0.0);
+  return aimed;
+}
+
+StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept {
+  const PredictedEquilibrium rest = predicted_equilibria(settings, goal)[index_of(settings.active)];
+  StageMoment moment = moment_of_goal(settings, goal);
+  moment.handle = rest.at.device;
+  moment.proxy = rest.at.proxy;
+  moment.in_contact = rest.at.in_contact;
+  moment.wall_share = rest.at.force - rest.ghost_force;
+  moment.ghost_force = rest.ghost_force;
+  moment.slide = rest.proxy_drift;
+  return moment;
+}
+
+double signed_ghost_force(const StageMoment& moment) noexcept {
+  const double size = glm::length(moment.ghost_force);
+  return glm::dot(moment.ghost_force, moment.wall_share) < 0.0 ? -size : size;
+}
+
+Vector<2> neutral_guess(const Settings& settings, const Vector<2>& goal) noexcept {
+  return glm::mix(goal, projection(wall_of(settings), goal), 0.45);
+}
+
+Equilibrium<2> equilibrium_without_ghost(const Settings& settings, const Vector<2>& goal) noexcept {
+  const Stiffnesses& stiffnesses = settings.stiffnesses;
+  return equilibrium_with_ratio(wall_of(settings), actuation_of(settings), stiffnesses,
+                                optimal_tracking_ratio(stiffnesses.k_r, stiffnesses.k_u), goal);
+}
+
+}  // namespace ghostforce

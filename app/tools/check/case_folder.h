@@ -1,0 +1,24 @@
+// A folder of cases. Not for the servo thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/tools/check/case_file.h"
+
+namespace ghostforce {
+
+// Every NAME.toml in the folder, by name; files whose name begins with a dot are left alone. Throws ReadError: wrong
+// with all that is wrong with all of them (a pipe or a folder of such a name is wrong too); unreadable. And
+// Failure(wrong_call) where there is no such folder or no case in it.
+std::vector<Case> read_case_folder(const std::string& folder);
+
+// The case of that name; null where there is none.
+const Case* find_case(const std::vector<Case>& cases, std::string_view name) noexcept;
+
+// The cases of these names, in the folder's order; all of them where there is no name. Throws Failure(wrong_call) for a
+// name that no case has; `option` is where it was given, for the message.
+std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std::vector<std::string>& names,
+                                      std::string_view option);
+
+}  // namespace ghostforce

@@ -1,0 +1,59 @@
+// What `check` found, as one value, and what is written of it: a page for people, XML for the machinery that runs tests,
+// and JSON for other programs. Not for the servo thread.
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/output_file.h"
+#include "app/tools/check/case_file.h"
+#include "app/tools/check/verdict.h"
+
+namespace ghostforce {
+
+struct CheckReport {
+  std::string folder;              // of the cases, as the person named it
+  std::string to_folder;           // where pictures of cases that fail lie; empty: none is stored
+  std::vector<const Case*> cases;  // in the verdicts' order
+  std::vector<Verdict> verdicts{};
+
+  std::ptrdiff_t failed() const;
+  double duration_s() const;
+};
+
+// The page shows the pictures as files beside it.
+std::string report_as_html(const CheckReport& report);
+// A testcase per case, as JUnit's readers take it.
+std::string report_as_junit(const CheckReport& report);
+// One document, as docs/check.md describes it; no newline at its end.
+std::string report_as_json(const CheckReport& report);
+
+// A folder with the page, the XML and the pictures.
+class ReportFolder {
+ public:
+  // Makes the folder where there is none. Throws Failure(file_trouble) now where nothing can be written there.
+  explicit ReportFolder(const std::string& folder);
+
+  // Of a case that fails, NAME.expected.png, NAME.actual.png and NAME.diff.png. They are written beside what is there,
+  // and put in its place by write(). Their bytes are not kept until then: in the verdict each picture
+  // that there is has_value() afterwards, and its text has no bytes.
+  void take_pictures(Verdict& verdict);
+
+  // Those pictures, report.html and junit.xml; of a case that passes, the three pictures are removed. Nothing else in
+  // the folder is touched.
+  void write(const CheckReport& report);
+
+  // Whether a file in the folder is called as if it were one of these.
+  static bool may_write(std::string_view path);
+
+ private:
+  std::string folder_;
+  OutputFile html_;
+  OutputFile junit_;
+  std::deque<OutputFile> pictures_;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,46 @@
+// The diagnosis: what the examination of a Falcon and a look around the machine have found, for people as text and for
+// programs as JSON. UI thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/base/failure.h"
+#include "device/falcon/calibration.h"
+#include "device/falcon/falcon_report.h"
+#include "device/falcon_usb/firmware_file.h"
+#include "device/falcon_usb/usb_search.h"
+#include "device/report/spacemouse.h"
+#include "device/servo/realtime_status.h"
+
+namespace ghostforce {
+
+// A renderer that can draw pictures offscreen, or why it cannot.
+struct RendererState {
+  std::string name;
+  bool is_there = false;
+  bool is_default = false;
+  std::string words;
+};
+
+struct Diagnosis {
+  FalconReport report;
+  ExitCode verdict = ExitCode::done;
+  std::optional<FirmwareImage> firmware;
+  bool has_calibration = false;     // one is kept for this very device
+  UsbSearch usb;                    // what is on the bus
+  std::filesystem::path udev_rule;  // empty: not installed
+  RealtimeStatus realtime;
+  SpaceMouseReading spacemouse;
+  std::vector<RendererState> renderers;
+};
+
+// One line for a person: which file, its SHA-256, and what that is commonly called.
+std::string firmware_words(const std::optional<FirmwareImage>& image);
+
+std::string text_of(const Diagnosis& diagnosis);
+std::string json_of(const Diagnosis& diagnosis);
+
+}  // namespace ghostforce

@@ -1,0 +1,60 @@
+// How ready a Falcon is (device/report/readiness.h), with what is happening in each step now and what to do. The window and
+// `doctor` show the same. Pure, allocates; not for the servo thread.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/base/failure.h"
+#include "device/report/readiness.h"
+
+namespace ghostforce {
+
+// Of the device, of which what draws the steps knows nothing else.
+enum class FalconFault : std::uint8_t;
+class FalconSerial;
+struct FalconReport;
+struct MotorReport;
+
+struct ReadinessEntry {
+  ReadinessStep id;
+  ExitCode exit_code;           // of a program that could not reach it; done: that is no failure
+  std::string_view name;        // in JSON
+  std::string_view title;       // on screen
+  std::string_view open_title;  // on screen while it is the next one to reach
+  std::string_view remedy;      // what to do to reach it, where no fault says it better
+  std::string_view reached;     // what is so then; empty where a report says more
+};
+
+// In the order of ReadinessStep.
+std::span<const ReadinessEntry> readiness_catalog() noexcept;
+const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
+
+// What is wrong, and what to do about it, as sentences; empty for none.
+std::string_view sentence_of(FalconFault fault) noexcept;
+std::string_view remedy_of(FalconFault fault) noexcept;
+
+// That this Falcon was told to stop and has not answered, and what to do now.
+std::string left_pushing_words(const FalconSerial& serial);
+
+// Why a device that is well may not push: nobody guards its motors, and what to do about it.
+std::string_view no_guard() noexcept;
+
+// Whether the device can exchange often enough, and answers none too late. Until it is homed the driver asks less often
+// than it could; then the time of one answer tells.
+bool is_fast_and_even(const FalconReport& report) noexcept;
+
+// Exchanges that it makes, or could make while it is being homed [1/s]; 0: not measured yet.
+double attainable_exchange_hz(const FalconReport& report) noexcept;
+
+// `motors` null: nobody means to arm, and the steps end at fast_enough.
+std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors);
+
+// How a program ends that was to use the device of this readiness. `needs_homing`: somebody was there to do it.
+ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing);
+ExitCode exit_code_of(const FalconReport& report, bool needs_homing);
+
+}  // namespace ghostforce

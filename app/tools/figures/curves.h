@@ -1,0 +1,52 @@
+// Curves: what closed forms say over a parameter, and what the simulated loop says at some of its values; for charts.
+// Pure, any thread.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/csv_table.h"
+#include "app/picture/chart.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
+
+namespace ghostforce {
+
+struct CurvePoint {
+  std::string panel;
+  std::string series;  // a strategy's name, or what else the curve is of
+  bool is_simulated;   // else by closed form
+  double x;
+  double y;
+};
+
+using Curves = std::vector<CurvePoint>;
+
+// `x_name` and `y_name` with their units, as columns.
+CsvTable table_of(const Curves& curves, const std::string& x_name, const std::string& y_name);
+
+// The goal of a curve's points, which is none of the scene's: so deep behind the wall's point, along the normal. And
+// what a table says of it.
+inline constexpr double curve_goal_depth = 0.020;  // d [m]
+Vector<2> goal_behind(const Wall<2>& wall);
+std::string goal_comment();
+
+// The curve and, as another series without a name, its points.
+void add_series(const Curves& curves, std::string_view panel, std::string_view series, const Series& style,
+                Chart& chart);
+
+Settings with_ratio(Settings settings, double ratio);
+
+// A strategy's line and shape, and its letter and title as a name.
+Series style_of(StrategyId id);
+
+// `count` values from `least` to `greatest`, both included.
+std::vector<double> evenly(double least, double greatest, int count);
+std::vector<double> evenly_in_ratio(double least, double greatest, int count);
+
+// What the loop has come to, 3.5 s after the goal went straight into the wall and stopped. Throws Failure(bug) where
+// the loop is unstable.
+Snapshot simulated_equilibrium(const Settings& settings, const Vector<2>& goal);
+
+}  // namespace ghostforce

@@ -1,0 +1,160 @@
+#include "app/tools/figures/simulated_motion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
+#include "app/files/run_file.h"
+#include "core/divergence.h"
+#include "core/simulate.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::int64_t ticks_between_moments = 5;   // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
+constexpr std::int64_t ticks_between_looks = 1024;  // at interruptions
+constexpr std::int64_t most_moments = 6000;         // more are finer than any picture
+
+struct Thinned {
+  explicit Thinned(std::int64_t last_of_all)
+      : last(last_of_all), between(std::max(ticks_between_moments, last / most_moments)) {}
+  bool keeps(std::int64_t tick) const { return tick % between == 0 || tick == last; }
+
+  std::int64_t last;
+  std::int64_t between;
+};
+
+// What a recording says of each change.
+std::vector<std::string> change_lines(const SimulatedMotion& motion) {
+  Settings known = motion.scene.settings;
+  fmt::memory_buffer text;
+  for (const SettingsChange& change : motion.changes) append_set_lines(text, change.time_s, known, change.settings);
+  std::vector<std::string> lines;
+  constexpr std::string_view comment = "# ";
+  for (std::string_view rest(text.data(), text.size()); !rest.empty();) {
+    const std::size_t end = rest.find('\n');
+    lines.emplace_back(rest.substr(comment.size(), end - comment.size()));
+    rest.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
+Settings settings_at_end(const SimulatedMotion& motion) {
+  return settings_at(motion.scene, last_settings(motion), motion.moments.back().time_s);
+}
+
+std::vector<CsvCell> row_of(const SimulatedMotion& motion, StrategyId id, std::string source, double time_s,
+                            const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
+                            const Vector<2>& force, const Vector<2>& ghost) {
+  return {motion.name,
+          std::string(strategy(id).name),
+          std::move(source),
+          time_s,
+          goal.x,
+          goal.y,
+          device.x,
+          device.y,
+          proxy.x,
+          proxy.y,
+          force.x,
+          force.y,
+          ghost.x,
+          ghost.y};
+}
+
+}  // namespace
+
+SimulatedMotion simulate_motion(std::string name, const Scene& scene) {
+  SimulatedMotion motion{.name = std::move(name), .scene = scene};
+  const Thinned thinned(last_tick(scene));
+  const TickState<2> state = simulate(scene, thinned.last, [&](const Snapshot& snapshot) {
+    if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
+    if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
+  });
+  if (has_diverged(state)) {
+    throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
+  }
+  motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
+  return motion;
+}
+
+SimulatedMotion simulate_hand(const RecordedHand& hand) {
+  SimulatedMotion motion{.name = "", .scene = hand.scene, .changes = hand.changes};
+  const GoalPath& path = hand.scene.goal;
+  const StiffnessPath& stiffness = hand.scene.stiffness_path;
+  const Thinned thinned(last_tick(hand.scene));
+  TickCoefficients<2> coefficients = coefficients_of(hand.scene.settings);
+  TickState<2> state = hand.start;
+  motion.moments.push_back(snapshot_of(coefficients, state));
+  auto change = hand.changes.begin();
+  for (std::size_t i = 1; i < path.times.size(); ++i) {
+    for (; change != hand.changes.end() && change->time_s <= path.times[i]; ++change)
+      coefficients = coefficients_of(change->settings);
+    const double before_s = path.times[i - 1];
+    // More than one where samples were lost.
+    const auto ticks = std::max<std::int64_t>(1, std::llround((path.times[i] - before_s) * coefficients.rate));
+    for (std::int64_t k = 1; k <= ticks; ++k) {
+      const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, coefficients.rate);
+      if (!stiffness.is_empty()) set_user_stiffness(coefficients, stiffness_at(stiffness, time_s));
+      tick(coefficients, goal_at(path, time_s), state);
+      if (state.tick % ticks_between_looks == 0) stop_if_interrupted();
+      const bool is_last = k == ticks && i + 1 == path.times.size();
+      if (!is_last && !thinned.keeps(state.tick)) continue;
+      motion.moments.push_back(snapshot_of(coefficients, state));
+      motion.moments.back().time_s = time_s;  // the rate may have been another one before
+    }
+  }
+  if (has_diverged(state)) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: with its settings the sampled loop is unstable and the device runs away; play its "
+                              "hand with other settings first, and give that file, as in\n"
+                              "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
+                              hand.name));
+  }
+  motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
+  return motion;
+}
+
+const Settings& settings_at(const SimulatedMotion& motion, double time_s) {
+  const auto next = std::ranges::upper_bound(motion.changes, time_s, {}, &SettingsChange::time_s);
+  return next == motion.changes.begin() ? motion.scene.settings : std::prev(next)->settings;
+}
+
+const Settings& last_settings(const SimulatedMotion& motion) {
+  return motion.changes.empty() ? motion.scene.settings : motion.changes.back().settings;
+}
+
+CsvTable table_of(std::span<const SimulatedMotion> motions) {
+  CsvTable table;
+  table.comments = {
+      "One row per pane, strategy and moment of the simulation, and one for the closed form at rest (t_s nan).",
+      "Units: s, m, N. The force is that of the device on the hand."};
+  table.columns = {
+      "pane",       "strategy",  "source",    "t_s",       "goal_x_m",  "goal_y_m",        "device_x_m",
+      "device_y_m", "proxy_x_m", "proxy_y_m", "force_x_N", "force_y_N", "ghost_force_x_N", "ghost_force_y_N"};
+  for (const SimulatedMotion& motion : motions) {
+    std::ranges::move(change_lines(motion), std::back_inserter(table.comments));
+    for (const Strategy& strategy : strategy_catalog()) {
+      const std::size_t i = index_of(strategy.id);
+      for (const Snapshot& moment : motion.moments) {
+        const StrategySnapshot<2>& now = moment.strategies[i];
+        table.rows.push_back(row_of(motion, strategy.id, "simulated", moment.time_s, moment.goal, now.device, now.proxy,
+                                    now.force, now.ghost_force));
+      }
+      const auto& [rest, ghost_force, drift] = motion.rest[i];
+      table.rows.push_back(row_of(motion, strategy.id, "closed form", std::numeric_limits<double>::quiet_NaN(),
+                                  rest.goal, rest.device, rest.proxy, rest.force, ghost_force));
+    }
+  }
+  return table;
+}
+
+}  // namespace ghostforce

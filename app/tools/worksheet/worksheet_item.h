@@ -1,0 +1,44 @@
+// WorksheetItem: what stands in one place of a worksheet: a step of the lesson, or a few that are only to be looked at. Words
+// alone, before anything has a place. A worksheet without answers knows nothing of them: neither which is right nor what
+// the lesson says afterwards. Values; pure, any thread.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/state/lesson.h"
+
+namespace ghostforce {
+
+enum class WorksheetSide : std::uint8_t { questions, answers };
+
+struct WorksheetBox {
+  std::string words;
+  bool is_ticked = false;
+};
+
+// Words with a line after them to write on. With a unit the line is short and ends before it; without, it goes on to the
+// edge.
+struct WorksheetLine {
+  std::string words;
+  std::string_view unit{};
+};
+
+struct WorksheetItem {
+  std::size_t step = 0;  // of the lesson, from 0: the picture's
+  std::string number;    // of the step, or of the first and the last, from 1 as on the screen
+  std::string text;
+  std::vector<WorksheetBox> boxes{};
+  std::vector<WorksheetLine> lines{};
+  std::string note{};          // below the boxes: what the lesson says after the answer, or how to answer
+  double picture_share = 0.0;  // its height, 1 is usual; 0: there is no picture
+  bool hides_handle = false;   // in the picture, since it would answer a question above
+};
+
+// Words in that language, which the lesson must have (language_in()).
+std::vector<WorksheetItem> worksheet_items(const Lesson& lesson, std::string_view language, WorksheetSide side);
+
+}  // namespace ghostforce

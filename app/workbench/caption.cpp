@@ -1,0 +1,133 @@
+#include "app/workbench/caption.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "app/stage/hints.h"
+#include "app/state/measurement_guide.h"
+#include "app/widgets/controls.h"
+#include "app/widgets/symbol_text.h"
+#include "core/prediction.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr double visible_force = 0.01;  // as in the table [N]
+constexpr float large = 1.2F;           // of the panels' letters
+constexpr float paused_letters = 1.7F;
+constexpr double parallel = 0.02;  // sine of an angle that looks like none
+
+}  // namespace
+
+std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
+  const Wall<2> wall = wall_of(settings);
+  if (depth(wall, goal) <= 0.0) {
+    return "The goal is in front of the wall: there is nothing to push back. Drag it into the hatched side.";
+  }
+  const Strategy& active = strategy(settings.active);
+  if (!active.has_every_motor && std::abs(glm::dot(wall.normal, direction_at(settings.actuated_angle))) < parallel) {
+    return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
+  }
+  const Vector<2> ghost = predicted_equilibria(settings, goal)[index_of(settings.active)].ghost_force;
+  return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
+}
+
+namespace {
+
+// Where the goal is only inferred, what theory says of it would be said of the belief.
+std::string words_in_hand(const PanelContext& context) {
+  const Strategy& active = strategy(context.settings.active);
+  const StrategySnapshot<2>& now = context.snapshot.strategies[index_of(active.id)];
+  if (!now.in_contact) return "Push the handle into the wall.";
+  const double ghost = glm::length(now.ghost_force);
+  if (!context.snapshot.has_target || context.snapshot.measured != active.id || std::isnan(ghost)) {
+    return "Where you aim is only inferred, so the ghost force cannot be known.";
+  }
+  return fmt::format("{} Measured relative to the target.",
+                     ghost < visible_force ? active.without_ghost : active.with_ghost);
+}
+
+// A device that is on its way says how far it is; one at its limit, what to do. Else empty.
+std::string words_of_device(const PanelContext& context) {
+  const MotorReport& motors = context.loop.motors;
+  const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
+  if (motors.has_motors && !motors.is_ready && step != context.loop.readiness.end()) {
+    return fmt::format("{}: {}. {}", context.loop.input_title, step->title, step->words);
+  }
+  if (motors.is_saturated) {
+    return fmt::format("The wall would push harder than the motors may: they give {:.1f} N. Do not press so deep.",
+                       glm::length(motors.sent));
+  }
+  return {};
+}
+
+bool time_stands_still(const Session& session) {
+  return session.paused || session.stage.looks_back_to_s;
+}
+
+std::string words_of(const PanelContext& context) {
+  if (std::string words = words_of_device(context); !words.empty()) return words;
+  if (is_measuring(context.session)) return "The hand is being measured: follow the panel “Measure the hand”.";
+  if (context.snapshot.measured) return words_in_hand(context);
+  return std::string(caption_of(context.settings, context.snapshot.goal));
+}
+
+// At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
+float draw_paused(const PanelContext& context) {
+  const char* const words = "PAUSED";
+  const char* const remedy = "Space: resume";
+  const float regular = ImGui::GetStyle().FontSizeBase;
+  const ImVec2 corner = ImGui::GetCursorPos();
+  const float right = ImGui::GetContentRegionMax().x;
+  ImGui::PushFont(context.fonts.bold, paused_letters * regular);
+  const float left = right - ImGui::CalcTextSize(words).x;
+  ImGui::SetCursorPosX(left);
+  text_in(context.theme.accent, words);
+  ImGui::PopFont();
+  ImGui::SetCursorPosX(right - ImGui::CalcTextSize(remedy).x);
+  text_in(context.theme.faint_text, remedy);
+  ImGui::SetCursorPos(corner);
+  return left;
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of_caption(const PanelContext& context) {
+  std::vector<std::string> words;
+  if (time_stands_still(context.session)) words.emplace_back("PAUSED");
+  if (std::string device = words_of_device(context); !device.empty()) words.push_back(std::move(device));
+  return words;
+}
+
+void draw_caption(const PanelContext& context) {
+  const bool is_still = time_stands_still(context.session);
+  const float end = is_still ? draw_paused(context) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
+  if (context.session.hint && !is_still) {
+    draw_hint(context);
+    return;
+  }
+  const std::string words = words_of(context);
+  // Large, to be read from the last row, where two lines have room for it.
+  const float needed = ImGui::CalcTextSize(words.c_str()).x;
+  const float room = end - ImGui::GetCursorPosX();
+  const bool fits = large * needed < 1.8F * room;
+  if (is_still && needed > 2.2F * room) return;  // more lines than the bar has beside the large word
+  ImGui::PushFont(context.fonts.regular, (fits ? large : 1.0F) * ImGui::GetStyle().FontSizeBase);
+  const std::size_t i = index_of(context.settings.active);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  const float line = ImGui::GetTextLineHeight();
+  draw_glyph(*ImGui::GetWindowDrawList(), {corner.x + 0.6F * line, corner.y + 0.5F * line}, 0.42F * line,
+             strategy_style(context.settings.active).shape, context.theme.strategy[i]);
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 1.6F * line);
+  const ImVec2 left{end - ImGui::GetCursorPosX(), ImGui::GetWindowHeight() - ImGui::GetCursorPosY()};
+  const std::string shown = as_much_as_fits(words, left);
+  wrapped_text(shown, end);
+  ImGui::PopFont();
+  if (shown != words) tooltip(words);
+}
+
+}  // namespace ghostforce

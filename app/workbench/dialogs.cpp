@@ -1,0 +1,136 @@
+#include "app/workbench/dialogs.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <array>
+#include <cfloat>
+
+#include "app/widgets/controls.h"
+
+namespace ghostforce {
+namespace {
+
+struct Entry {
+  Dialog id;
+  const char* title;
+  void (*draw)(const PanelContext&);
+  bool is_at_the_side = false;
+};
+constexpr std::array dialogs{
+    Entry{Dialog::help, "Help", draw_help},
+    Entry{Dialog::doctor, "Device status", draw_doctor, true},
+    Entry{Dialog::lessons, "###lessons", draw_lessons},
+    Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
+    Entry{Dialog::save_scene, "Save the scene", draw_save_scene},
+    Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
+    Entry{Dialog::save_clip, "Save a clip", draw_save_clip},
+    Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
+    Entry{Dialog::reset_preferences, "Reset all preferences?", draw_reset_preferences},
+};
+
+constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
+                                           ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                           ImGuiWindowFlags_AlwaysAutoResize;
+
+// The dialog itself, or the part of it that scrolls; null: all of it is in sight.
+ImGuiWindow* scrolling_window_of(Dialog dialog) {
+  const auto entry = std::ranges::find(dialogs, dialog, &Entry::id);
+  ImGuiWindow* const whole = entry == dialogs.end() ? nullptr : ImGui::FindWindowByName(entry->title);
+  if (whole == nullptr || !whole->WasActive) return nullptr;
+  if (whole->ScrollMax.y > 0.0F) return whole;
+  const ImVector<ImGuiWindow*>& parts = whole->DC.ChildWindows;
+  const auto part = std::find_if(parts.begin(), parts.end(),
+                                 [](const ImGuiWindow* each) { return each->WasActive && each->ScrollMax.y > 0.0F; });
+  return part == parts.end() ? nullptr : *part;
+}
+
+}  // namespace
+
+bool scrolls(Dialog dialog) {
+  return scrolling_window_of(dialog) != nullptr;
+}
+
+void scroll(Dialog dialog, const ScrollStep& step) {
+  ImGuiWindow* const window = scrolling_window_of(dialog);
+  if (window == nullptr) return;
+  const float line = ImGui::GetFontSize() + ImGui::GetStyle().ItemSpacing.y;
+  const float page = window->InnerRect.GetHeight() - line;  // the last line is the next page's first
+  // What an earlier key has asked for is done in the next frame.
+  const float now = window->ScrollTarget.y < FLT_MAX ? window->ScrollTarget.y : window->Scroll.y;
+  const float down = now + step.lines * line + step.pages * page;
+  ImGui::SetScrollY(window, std::clamp(down, 0.0F, window->ScrollMax.y));
+}
+
+bool has_field(Dialog dialog) noexcept {
+  constexpr std::array without{Dialog::none, Dialog::help, Dialog::doctor, Dialog::lessons, Dialog::reset_preferences};
+  return std::ranges::find(without, dialog) == without.end();
+}
+
+void draw_dialog(const PanelContext& context) {
+  Session& session = context.edited;
+  const auto entry = std::ranges::find(dialogs, session.dialog, &Entry::id);
+  if (entry == dialogs.end()) {
+    session.form = {};
+    return;
+  }
+  // Every dialog begins with fields of its own.
+  if (session.form.belongs_to != session.dialog && session.form.belongs_to != Dialog::none) session.form = {};
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const float margin = 16.0F * context.scale;
+  // The steps speak of what happens in the scene: it stays out of its way.
+  if (entry->is_at_the_side) {
+    ImGui::SetNextWindowPos({whole.x - margin, 54.0F * context.scale}, ImGuiCond_Always, {1.0F, 0.0F});
+  } else {
+    ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
+  }
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - 2.0F * margin});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
+  bool is_open = true;
+  const StageLanguage& language = stage_language(session.language);
+  const bool is_of_stage = entry->id == Dialog::lessons;
+  const std::string title = (is_of_stage ? std::string(language.picker.title) : "") + entry->title;
+  ImGui::Begin(title.c_str(), &is_open, dialog_window);
+  ImGui::PopStyleVar(3);
+  entry->draw(context);
+  if (session.dialog != Dialog::none) session.form.belongs_to = entry->id;
+  ImGui::End();
+  if (!is_open) context.apply(CloseDialog{});
+}
+
+void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
+  const Session& session = context.session;
+  if (!session.notice) return;
+  const float scale = context.scale;
+  const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
+  // To the right: the legend is on the left.
+  // It is read and closed: plots may have left the scene too low for it.
+  const float margin = 14.0F * scale;
+  const float whole = ImGui::GetIO().DisplaySize.y;
+  const float top = std::min(corner.y + margin, 0.5F * whole);
+  ImGui::SetNextWindowPos({corner.x + size.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F},
+                                      {width, std::min(std::max(0.6F * size.y, 0.4F * whole), whole - top - margin)});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
+  ImGui::PushStyleColor(ImGuiCol_Border,
+                        unpacked(session.notice->is_problem ? context.theme.problem : context.theme.accent));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, unpacked(context.theme.panel_field));
+  ImGui::Begin("notice", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
+                   ImGuiWindowFlags_NoFocusOnAppearing);
+  if (session.notice->is_problem) text_in(context.fonts.bold, stage_language(session.language).notices.problem);
+  const std::string& words = session.notice->words;
+  const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
+  wrapped_text(words, ImGui::GetCursorPosX() + wrap);
+  const bool enough = ImGui::SmallButton(stage_language(session.language).notices.close.data());
+  ImGui::End();
+  ImGui::PopStyleColor(2);
+  ImGui::PopStyleVar(2);
+  if (enough) context.apply(CloseNotice{});
+}
+
+}  // namespace ghostforce

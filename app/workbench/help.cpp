@@ -1,0 +1,153 @@
+// F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as there is room for.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "app/state/key_bindings.h"
+#include "app/widgets/controls.h"
+#include "app/workbench/dialogs.h"
+
+namespace ghostforce {
+namespace {
+
+struct HelpLine {
+  std::string_view press;
+  std::string_view sentence;
+};
+
+struct HelpGroup {
+  std::string_view title;
+  std::vector<HelpLine> lines;
+
+  std::size_t height() const noexcept { return 1 + lines.size(); }  // [lines]
+};
+
+// In the order of the keys; the mouse comes first in its group.
+std::vector<HelpGroup> help_groups() {
+  std::vector<HelpGroup> groups;
+  for (const KeyBinding& binding : key_table()) {
+    if (!binding.group.empty()) {
+      groups.push_back({binding.group, {}});
+      for (const MouseGesture& gesture : mouse_table()) {
+        if (gesture.group == binding.group) groups.back().lines.push_back({gesture.shown, gesture.sentence});
+      }
+    }
+    if (!binding.shown.empty()) groups.back().lines.push_back({binding.shown, binding.sentence});
+  }
+  return groups;
+}
+
+std::size_t height_of(std::span<const HelpGroup> groups) {
+  std::size_t height = 0;
+  for (const HelpGroup& group : groups) height += group.height();
+  return height;
+}
+
+// How many of the groups go to the left, so that neither column is longer than it must be.
+std::size_t left_groups(std::span<const HelpGroup> groups) {
+  std::size_t best = groups.size();
+  std::size_t least = height_of(groups);
+  for (std::size_t count = 0; count < groups.size(); ++count) {
+    const std::size_t longer = std::max(height_of(groups.first(count)), height_of(groups.subspan(count)));
+    if (longer >= least) continue;
+    least = longer;
+    best = count;
+  }
+  return best;
+}
+
+constexpr std::string_view subject =
+    "A hand (the goal) presses a handle (the device) into a virtual wall. The device senses motion in both directions, "
+    "but its motor pushes in only one: that causes the ghost force.";
+
+// [points]
+constexpr float line_gap = 1.5F;       // between lines
+constexpr float group_gap = 4.0F;      // above a title
+constexpr float column_gap = 18.0F;    // between columns
+constexpr float room_around = 118.0F;  // title, subject, last line and margins
+
+float width_of(ImFont* font, float height, std::string_view words) {
+  return font->CalcTextSizeA(height, 1e9F, 0.0F, words.data(), words.data() + words.size()).x;
+}
+
+struct ColumnWidths {
+  float press = 0.0F;
+  float sentence = 0.0F;
+};
+
+ColumnWidths widths_of(std::span<const HelpGroup> groups, const PanelContext& context, float height) {
+  ColumnWidths widths;
+  for (const HelpGroup& group : groups) {
+    for (const HelpLine& line : group.lines) {
+      widths.press = std::max(widths.press, width_of(context.fonts.bold, height, line.press));
+      widths.sentence = std::max(widths.sentence, width_of(context.fonts.regular, height, line.sentence));
+    }
+  }
+  widths.press += 0.9F * height;
+  return widths;
+}
+
+void draw_groups(std::span<const HelpGroup> groups, const ColumnWidths& widths, const PanelContext& context) {
+  ImGui::BeginGroup();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, line_gap * context.scale});
+  const float left = ImGui::GetCursorPosX();
+  for (const HelpGroup& group : groups) {
+    ImGui::Dummy({0.0F, group_gap * context.scale});
+    ImGui::PushFont(context.fonts.bold, 0.0F);
+    text_in(context.theme.accent, group.title);
+    ImGui::PopFont();
+    for (const HelpLine& line : group.lines) {
+      text_in(context.fonts.bold, line.press);
+      ImGui::SameLine();
+      ImGui::SetCursorPosX(left + widths.press);
+      wrapped_text(line.sentence, left + widths.press + widths.sentence + context.scale);
+    }
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndGroup();
+}
+
+}  // namespace
+
+void draw_help(const PanelContext& context) {
+  const std::vector<HelpGroup> groups = help_groups();
+  const std::span<const HelpGroup> all(groups);
+  const ImVec2 window = ImGui::GetIO().DisplaySize;
+  const float room = window.x - 64.0F * context.scale;
+  const std::size_t split = left_groups(all);
+  const std::array parts{all.first(split), all.subspan(split)};
+
+  // A little smaller where that makes everything fit on one screen; where it does not, the dialog scrolls.
+  constexpr float smallest = 0.8F;
+  const float usual = ImGui::GetFontSize();
+  const auto lines = static_cast<float>(std::max(height_of(parts[0]), height_of(parts[1])));
+  const auto titles = static_cast<float>(std::max(parts[0].size(), parts[1].size()));
+  const float line_room = (window.y - (room_around + titles * (group_gap + line_gap)) * context.scale) / lines;
+  const float fitting = std::floor(line_room - line_gap * context.scale);
+  const float letters = fitting >= smallest * usual ? std::min(fitting, usual) : usual;
+  const std::array widths{widths_of(parts[0], context, letters), widths_of(parts[1], context, letters)};
+  const float both =
+      widths[0].press + widths[0].sentence + widths[1].press + widths[1].sentence + column_gap * context.scale;
+
+  wrapped_text(subject, ImGui::GetCursorPosX() + std::min(both, room));
+  ImGui::PushFont(nullptr, letters / context.scale);
+  if (both <= room) {
+    const float left = ImGui::GetCursorPosX();
+    draw_groups(parts[0], widths[0], context);
+    ImGui::SameLine();
+    ImGui::SetCursorPosX(left + widths[0].press + widths[0].sentence + column_gap * context.scale);
+    draw_groups(parts[1], widths[1], context);
+  } else {
+    // One above the other where the window is too narrow for both.
+    const float press = std::max(widths[0].press, widths[1].press);
+    const float sentence = std::max(widths[0].sentence, widths[1].sentence);
+    draw_groups(all, {press, std::min(sentence, room - press - ImGui::GetStyle().ScrollbarSize)}, context);
+  }
+  ImGui::PopFont();
+  text_in(context.theme.faint_text, "On the workbench, rest the pointer on any name or mark to read what it means.");
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,121 @@
+// F5: the lessons that come with the program, with a picture of each, what it is about and how far one has come. The
+// keyboard is at the lesson to begin with; arrows and Tab move it, Enter begins.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "app/files/file_exchange.h"
+#include "app/stage/lesson_card.h"
+#include "app/state/lesson_file.h"
+#include "app/state/lesson_shelf.h"
+#include "app/widgets/controls.h"
+#include "app/widgets/picture_card.h"
+#include "app/workbench/dialogs.h"
+#include "app/workbench/language_choice.h"
+
+namespace ghostforce {
+namespace {
+
+// [points]
+constexpr double lesson_mark_scale = 0.5;  // of lines and marks in the small pictures
+constexpr float lesson_picture_width = 150.0F;
+constexpr float lesson_card_width = 420.0F;
+
+// What is known of a lesson, in words.
+std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words) {
+  const auto found = progress.lessons.find(progress_key(lesson));
+  if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
+  const LessonRecord& record = found->second;
+  const std::size_t questions = questions_of(lesson);
+  const std::size_t right = std::min(record.right.size(), questions);
+  const std::string score = questions == 0 ? "" : " · " + filled(words.right, right, questions);
+  if (record.is_finished) return std::string(words.done) + score;
+  return filled(words.step, std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size()) + score;
+}
+
+// Where somebody goes on: the first lesson that is not done.
+std::size_t lesson_to_begin(const Session& session) {
+  const auto& lessons = shipped_lessons();
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    const auto found = session.lesson_progress.lessons.find(progress_key(*lessons[i]));
+    if (found == session.lesson_progress.lessons.end() || !found->second.is_finished) return i;
+  }
+  return 0;
+}
+
+void draw_reset(const PanelContext& context, const StageLanguage::Picker& words) {
+  bool& asks = context.edited.form.asks_for_reset;
+  if (!asks) {
+    if (ImGui::Button(words.forget.data())) asks = true;
+    return;
+  }
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(words.forget_question.data());
+  same_line_if_room(ImGui::CalcTextSize(filled("{} {}", words.forget_yes, words.forget_no).c_str()).x);
+  if (ImGui::Button(words.forget_yes.data())) {
+    context.apply(ForgetLessons{});
+    asks = false;
+  }
+  ImGui::SameLine();
+  if (ImGui::Button(words.forget_no.data())) asks = false;
+}
+
+}  // namespace
+
+void draw_lessons(const PanelContext& context) {
+  Session& session = context.edited;
+  const StageLanguage::Picker& said = stage_language(session.language).picker;
+  const bool is_new = session.form.belongs_to != Dialog::lessons;
+  if (is_new) session.form.marked_lesson = lesson_to_begin(session);
+  const auto& lessons = shipped_lessons();
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const CardRows rows(context, lesson_card_width, 2, lessons.size());
+  ImGui::BeginChild("lessons", rows.size(), ImGuiChildFlags_NavFlattened);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.y, style.ItemSpacing.y});
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    rows.begin_card(i);
+    const Lesson& lesson = *lessons[i];
+    const LessonWords& words = words_in(lesson, session.language);
+    const bool is_marked = session.form.marked_lesson == i;
+    if (is_new && is_marked) {
+      ImGui::SetKeyboardFocusHere();
+      ImGui::SetNavCursorVisible(true);
+    }
+    const float density = ImGui::GetIO().DisplayFramebufferScale.x;
+    const auto picture_of = [&](ImVec2 size) {
+      const int width = static_cast<int>(size.x * density);
+      const int height = static_cast<int>(size.y * density);
+      const double scale = lesson_mark_scale * static_cast<double>(context.scale * density);
+      return context.lessons.picture(i, lessons.size(), context.theme, width, height, [&](std::size_t each) {
+        return lesson_card(each, context.theme, {width, height}, scale);
+      });
+    };
+    const PictureCard card{.id = static_cast<int>(i),
+                           .title = fmt::format("{}. {}", i + 1, words.title),
+                           .about = words.about,
+                           .remark = progress_words(lesson, session.lesson_progress, said),
+                           .picture_width = lesson_picture_width,
+                           .is_marked = is_marked};
+    if (draw_picture_card(context, card, rows.card_size(), picture_of)) context.apply(OpenLesson{lesson.name});
+  }
+  ImGui::PopStyleVar();
+  ImGui::EndChild();
+  wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
+  if (session.lesson_progress != LessonProgress{}) {
+    draw_reset(context, said);
+    ImGui::SameLine();
+  }
+  if (offers_file_chooser()) {
+    if (ImGui::Button(said.open_file.data())) {
+      choose_file();
+      context.apply(CloseDialog{});  // whatever is chosen is behind it
+    }
+    ImGui::SameLine();
+  }
+  if (ImGui::Button(said.close.data())) context.apply(CloseDialog{});
+  draw_language_choice(context);
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,20 @@
+// What shows the motors' state: their button in the bar on top, and a frame and words while they may push.
+#pragma once
+
+#include "app/widgets/panel_context.h"
+
+namespace ghostforce {
+
+// At the right edge of the row that is being drawn; without motors only where there is room.
+void draw_motor_button(const PanelContext& context, float height);
+
+// Inside the edges of the window that is being drawn, which lies over the scene, while the motors may push.
+void draw_motor_frame(const PanelContext& context);
+
+// In the middle of the window that is being drawn, while the motors may push.
+void draw_motor_words(const PanelContext& context);
+
+// What it needs of the row [points]; the same in every state of the motors.
+float motor_button_room(const PanelContext& context);
+
+}  // namespace ghostforce

@@ -1,0 +1,55 @@
+#include "app/workbench/panel_catalog.h"
+
+#include <array>
+#include <limits>
+
+namespace ghostforce {
+namespace {
+
+bool has_motors(const LoopReading& loop) {
+  return loop.motors.has_motors;
+}
+
+bool& news_of_measurement(Session& session) {
+  return session.measurement.has_news;
+}
+
+bool& news_of_circle(Session& session) {
+  return session.circle_test.has_news;
+}
+
+// From these heights on there is room for the panel beside all that open earlier [points].
+constexpr double room_for_the_device = 700.0;
+constexpr double room_for_the_input = 780.0;
+constexpr double room_for_the_view = 940.0;
+constexpr double when_asked = std::numeric_limits<double>::infinity();
+
+constexpr std::array panels{
+    Panel{"Live values", draw_live_values},
+    Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
+    Panel{"Rendering", draw_rendering},
+    Panel{"Hand", draw_user},
+    Panel{
+        .title = "Measure the hand", .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
+    Panel{.title = passivity_panel, .draw = draw_passivity, .opens_from = when_asked, .news = news_of_circle},
+    Panel{"Wall and device", draw_wall_and_device, room_for_the_device},
+    Panel{"Input", draw_input, room_for_the_input},
+    Panel{"View", draw_view_options, room_for_the_view},
+    Panel{"Recording", draw_recording, when_asked},
+};
+
+}  // namespace
+
+std::span<const Panel> panel_catalog() noexcept {
+  return panels;
+}
+
+std::set<std::string, std::less<>> panels_folded_at_first(double height) {
+  std::set<std::string, std::less<>> folded;
+  for (const Panel& panel : panels) {
+    if (height < panel.opens_from) folded.emplace(panel.title);
+  }
+  return folded;
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,39 @@
+// The one list of the panels in the right column, from top to bottom. A new panel is its own file and one row.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+
+#include "app/widgets/panel_context.h"
+
+namespace ghostforce {
+
+std::span<const Panel> panel_catalog() noexcept;
+
+// The title of the one that whoever asks for a circle wants to see.
+inline constexpr std::string_view passivity_panel = "Passivity";
+
+// The titles of those that are folded at first in a window so high [points].
+std::set<std::string, std::less<>> panels_folded_at_first(double height);
+
+// The panels themselves, a file each.
+void draw_live_values(const PanelContext& context);
+void draw_safety(const PanelContext& context);
+void draw_rendering(const PanelContext& context);
+void draw_user(const PanelContext& context);
+void draw_measure_user(const PanelContext& context);
+void draw_passivity(const PanelContext& context);
+void draw_wall_and_device(const PanelContext& context);
+void draw_input(const PanelContext& context);
+void draw_view_options(const PanelContext& context);
+void draw_recording(const PanelContext& context);
+
+// Above and below the scene.
+void draw_strategy_bar(const PanelContext& context);
+void draw_status_bar(const PanelContext& context, bool has_caption);
+// Of the bar above, in points: two rows where the window is too narrow for one.
+float strategy_bar_height(const PanelContext& context);
+
+}  // namespace ghostforce

@@ -1,0 +1,79 @@
+// The motors: whether they may push, with what, and why not.
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+#include "app/state/front_keys.h"
+#include "app/state/stage_language.h"
+#include "app/widgets/controls.h"
+#include "app/workbench/panel_catalog.h"
+#include "core/force_limiter.h"
+
+namespace ghostforce {
+namespace {
+
+// Nothing is said of a key that does not reach the window.
+std::string_view words_about_esc(const MotorReport& motors) {
+  return motors.has_focus ? " Esc turns them off." : "";
+}
+
+std::string words_about(const MotorReport& motors) {
+  const std::string_view status_key = front_keys().device_status.shown;
+  switch (motors.state) {
+    case SafetyState::off:
+      if (motors.may_still_push) return fmt::format("They may still push. {} says what to do.", status_key);
+      if (motors.reason == OffReason::none) {
+        return motors.is_ready ? std::string("Off. The button at the top right arms the motors.")
+                               : fmt::format("Off. The device is not ready. {} says what to do next.", status_key);
+      }
+      return fmt::format("Off: {}. {}", entry_of(motors.reason).title,
+                         filled(entry_of(motors.reason).remedy, status_key));
+    case SafetyState::arming:
+      return fmt::format("Arming: {}.", filled(entry_of(motors.obstacle).sentence, status_key));
+    case SafetyState::ramp:
+      if (motors.is_checking) return fmt::format("Being checked: hold the handle still.{}", words_about_esc(motors));
+      return fmt::format("Turning on: {:.0f} %.{}", 100.0 * motors.gain, words_about_esc(motors));
+    case SafetyState::on:
+      return fmt::format("On.{}", words_about_esc(motors));
+    case SafetyState::fade:
+      return fmt::format("Turning off: {}.", entry_of(motors.reason).title);
+  }
+  return {};
+}
+
+void draw_limits(const PanelContext& context) {
+  SafetyOptions safety = context.session.safety;
+  if (!begin_rows("safety", context)) return;
+  row("Force limit", "The largest force that is asked of the motors. A larger one is reduced and keeps its direction.");
+  bool is_changed = slider("##limit", safety.force_limit, {0.5, force_ceiling}, "%.1f N");
+  row("Stiffest wall",
+      "k_r is limited to this while the motors are on. For more than 800 N/m, Ctrl+click and type the value.");
+  is_changed |= slider("##stiffest", safety.greatest_k_r, {50.0, SafetyOptions{}.greatest_k_r}, "%.0f N/m",
+                       ImGuiSliderFlags_None);
+  row("Deadman switch", "Motors are on only while a grip button is held.");
+  is_changed |= ImGui::Checkbox("only while a button is held", &safety.needs_button);
+  if (is_changed) context.apply(ChangeSafety{safety});
+  end_rows();
+}
+
+}  // namespace
+
+void draw_safety(const PanelContext& context) {
+  const MotorReport& motors = context.loop.motors;
+  wrapped_text(words_about(motors));
+  ImGui::PushFont(context.fonts.number, 0.0F);
+  wrapped_text(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
+                           motors.is_saturated ? ", limited" : "", motors.handle_speed));
+  ImGui::PopFont();
+  tooltip("The force sent to the motors after all limits, the largest force allowed, and the speed of the handle.");
+  if (motors.held_k_r > 0.0) {
+    wrapped_text(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r));
+  }
+  if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
+    draw_limits(context);
+    ImGui::TreePop();
+  }
+}
+
+}  // namespace ghostforce

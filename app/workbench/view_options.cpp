@@ -1,0 +1,103 @@
+// What of the scene is drawn, and how the screen looks.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/state/front_keys.h"
+#include "app/widgets/controls.h"
+#include "app/workbench/dialogs.h"
+#include "app/workbench/language_choice.h"
+#include "app/workbench/panel_catalog.h"
+
+namespace ghostforce {
+namespace {
+
+void draw_theme_choice(const PanelContext& context) {
+  for (const Theme& theme : theme_catalog()) {
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(theme.name.data()).x;
+    if (&theme != theme_catalog().data()) same_line_if_room(width);
+    Appearance look = context.session.appearance;
+    if (!ImGui::RadioButton(theme.name.data(), look.theme == &theme)) continue;
+    look.theme = &theme;
+    context.apply(ChangeAppearance{look});
+  }
+}
+
+// In steps: a slider would run away from the pointer as the screen grows.
+void draw_scale_choice(const PanelContext& context, const char* id, double Appearance::*which, double least,
+                       double greatest) {
+  constexpr double step = 0.25;
+  Appearance look = context.session.appearance;
+  double& scale = look.*which;
+  ImGui::PushID(id);
+  const auto button = [&](const char* words, double direction) {
+    if (ImGui::Button(words, {ImGui::GetFrameHeight(), 0.0F})) {
+      scale = std::clamp((std::round(scale / step) + direction) * step, least, greatest);
+      context.apply(ChangeAppearance{look});
+    }
+  };
+  button("−", -1.0);
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(fmt::format("{:3.0f} %", scale * 100.0).c_str());
+  ImGui::SameLine();
+  button("+", 1.0);
+  ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_view_options(const PanelContext& context) {
+  const Session& session = context.session;
+  const auto option = [&](const char* words, bool ViewOptions::*shown, Term term) {
+    ViewOptions options = session.options;
+    if (ImGui::Checkbox(words, &(options.*shown))) context.apply(ChangeViewOptions{options});
+    tooltip(term);
+  };
+  option("ghost force", &ViewOptions::ghost_forces, Term::ghost_force);
+  ImGui::SameLine();
+  option("prediction", &ViewOptions::predictions, Term::prediction);
+  ImGui::SameLine();
+  option("trails", &ViewOptions::trails, Term::trail);
+  if (!begin_rows("view", context)) return;
+  row("Theme", fmt::format("Light, dark, or black on white for a projector. {} switches to the next one.",
+                           front_keys().next_theme.shown));
+  draw_theme_choice(context);
+  row("Text size", front_keys().text_size_sentence);
+  draw_scale_choice(context, "size", &Appearance::scale, Appearance::least_scale, Appearance::greatest_scale);
+  row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
+  draw_scale_choice(context, "arrows", &Appearance::arrow_scale, Appearance::least_arrow_scale,
+                    Appearance::greatest_arrow_scale);
+  row("Language", "The language of the stage and of lessons. The workbench is in English.");
+  draw_language_choice(context);
+  if (session.offers_speech) {
+    row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
+    bool speaks = session.speaks;
+    if (ImGui::Checkbox("read aloud", &speaks)) context.apply(SwitchSpeech{speaks});
+    if (!session.speech_problem.empty()) {
+      wrapped_text(fmt::format("{} To try again, switch it off and on.", session.speech_problem));
+    }
+  }
+  row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");
+  if (ImGui::Button("Reset all…")) context.apply(OpenDialog{Dialog::reset_preferences});
+  end_rows();
+}
+
+void draw_reset_preferences(const PanelContext& context) {
+  const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
+  wrapped_text(
+      "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
+      "theme, sizes, view, plots, panels, speed, SpaceMouse, language, speech, hints, window. The scene and its "
+      "settings stay as "
+      "they are.",
+      ImGui::GetCursorPosX() + width);
+  if (ImGui::Button("Reset all")) {
+    context.apply(ResetPreferences{});
+    context.apply(CloseDialog{});
+  }
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel")) context.apply(CloseDialog{});
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,169 @@
+// The whole program offscreen: the real window, ImGui and OpenGL, driven through the backend's own callbacks as a
+// display would drive them, with the servo stepped by hand.
+#pragma once
+
+#include "app/shell/application.h"
+
+#include <GLFW/glfw3.h>
+#include <gtest/gtest.h>
+#include <imgui_impl_glfw.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/cli/desktop_inputs.h"
+#include "app/files/scene_file.h"
+#include "app/paint/vector/file_painter.h"
+#include "app/shell/desktop/glfw_window.h"
+#include "app/state/keys.h"
+#include "device/virtual_falcon/virtual_falcon_input.h"
+
+namespace ghostforce {
+
+inline constexpr double frame_s = 1.0 / 60.0;
+
+class DrivenWindow : public testing::Test {
+ protected:
+  DrivenWindow() { open({}); }
+
+  // Opens anew, with the desktop's painter, and its inputs where the options have none; what was there before is gone.
+  void open(ApplicationOptions options, const std::string& scene = "wall45", int width = 1280, int height = 800) {
+    application_.reset();
+    if (options.inputs.empty()) options.inputs = desktop_inputs();
+    options.painter = cairo_file_painter();
+    if (!window_ || window_->pixel_width() != width || window_->pixel_height() != height) {
+      window_.reset();
+      window_ = std::make_unique<GlfwWindow>(
+          WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
+      ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
+      ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
+      window_->set_visible_drawing(draws_every_frame_);
+    }
+    application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
+    point_at(width - 400.0, height - 5.0);  // nothing there
+    frames(3);
+  }
+
+  Session& session() { return application_->session(); }
+  // As a panel or a dialog does.
+  void act(const Action& action) { application_->act(action); }
+  const Screen& screen() const { return application_->screen(); }
+  const Snapshot& now() const { return application_->report().snapshot; }
+  // Where that is the input in use.
+  VirtualFalconInput& virtual_falcon() { return dynamic_cast<VirtualFalconInput&>(application_->servo().input()); }
+  const Window& window() const { return *window_; }
+  // What is on the window. Pixels are drawn only here: in software they are most of a frame's work.
+  Image picture() {
+    if (!draws_every_frame_) {
+      window_->set_visible_drawing(true);
+      application_->draw();
+      window_->set_visible_drawing(false);
+    }
+    return window_->picture();
+  }
+  // For pictures that the program makes of itself, and for those that it draws once and keeps.
+  void draw_every_frame() {
+    draws_every_frame_ = true;
+    window_->set_visible_drawing(true);
+  }
+
+  // A frame of the window and the ticks that the servo makes meanwhile.
+  void frames(int count, int ticks_per_frame = 16) {
+    for (int i = 0; i < count; ++i) {
+      for (int k = 0; k < ticks_per_frame; ++k) application_->servo().step();
+      application_->frame(frame_s);
+    }
+  }
+
+  void point_at(double x, double y) { ImGui_ImplGlfw_CursorPosCallback(window_->handle(), x, y); }
+  void point_at(const Vector<2>& at) { point_at(at.x, at.y); }
+  void button(int action, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    ImGui_ImplGlfw_MouseButtonCallback(window_->handle(), which, action, 0);
+  }
+  void click_at(double x, double y) {
+    point_at(x, y);
+    frames(2);
+    button(GLFW_PRESS);
+    frames(2);
+    button(GLFW_RELEASE);
+    frames(2);
+  }
+  void press_at(const Vector<2>& at, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    point_at(at);
+    frames(2);
+    button(GLFW_PRESS, which);
+    frames(2);
+  }
+  void release(int which = GLFW_MOUSE_BUTTON_LEFT) {
+    button(GLFW_RELEASE, which);
+    frames(2);
+  }
+  void drag(const Vector<2>& from, const Vector<2>& to, int which = GLFW_MOUSE_BUTTON_LEFT) {
+    press_at(from, which);
+    point_at(0.5 * (from + to));
+    frames(2);
+    point_at(to);
+    frames(2);
+    release(which);
+  }
+  void scroll(double notches) {
+    ImGui_ImplGlfw_ScrollCallback(window_->handle(), 0.0, notches);
+    frames(2);
+  }
+
+  // As quick as a chord can be: all of it comes between two frames, and the modifier is let go of first.
+  void press(int key, int modifiers = 0) {
+    send_key(key, GLFW_PRESS, modifiers);
+    send_key(key, GLFW_RELEASE, 0);
+    frames(3);
+  }
+  void send_key(int key, int action, int modifiers) {
+    const GLFWkeyfun on_key = glfwSetKeyCallback(window_->handle(), nullptr);
+    glfwSetKeyCallback(window_->handle(), on_key);
+    on_key(window_->handle(), key, glfwGetKeyScancode(key), action, modifiers);
+  }
+  void send_character(unsigned int character) {
+    const GLFWcharfun on_character = glfwSetCharCallback(window_->handle(), nullptr);
+    glfwSetCharCallback(window_->handle(), on_character);
+    on_character(window_->handle(), character);
+  }
+  // As X11 tells it: without itself when it goes down, and with itself when it comes up.
+  void hold_control(bool is_down) {
+    send_key(key::left_control, is_down ? GLFW_PRESS : GLFW_RELEASE, is_down ? 0 : modifier::control);
+  }
+  void type(const std::string& text) {
+    for (const char c : text) send_character(static_cast<unsigned char>(c));
+    frames(2);
+  }
+  // Files as a file manager drops them.
+  void drop(std::vector<const char*> paths) {
+    const GLFWdropfun on_drop = glfwSetDropCallback(window_->handle(), nullptr);
+    glfwSetDropCallback(window_->handle(), on_drop);
+    on_drop(window_->handle(), static_cast<int>(paths.size()), paths.data());
+    frames(3);
+  }
+
+  Vector<2> on_window(const Vector<2>& world, std::size_t pane = 0) const {
+    const Pane& which = screen().panes()[pane];
+    return in_window(to_screen(which.camera, world) + which.corner);
+  }
+  // From a place in the scene to one in the window.
+  Vector<2> in_window(const Vector<2>& in_scene) const {
+    return {in_scene.x + static_cast<double>(screen().scene_corner().x),
+            in_scene.y + static_cast<double>(screen().scene_corner().y)};
+  }
+  int count_marks(Role role, std::optional<StrategyId> id = {}) const {
+    int count = 0;
+    for (const Pane& pane : screen().panes()) {
+      for (const Mark& mark : pane.marks) count += mark.role == role && (!id || mark.strategy == id) ? 1 : 0;
+    }
+    return count;
+  }
+
+  bool draws_every_frame_ = false;
+  std::unique_ptr<GlfwWindow> window_;
+  std::unique_ptr<Application> application_;
+};
+
+}  // namespace ghostforce

@@ -1,0 +1,295 @@
+// Visitors at the window: through all lessons with keys and pointer, away for 90 seconds, and at everything that is not
+// theirs.
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "app/state/key_bindings.h"
+#include "app/state/lesson_guide.h"
+#include "app/state/picture_set_up.h"
+#include "app/widgets/focus.h"
+#include "device/falcon/falcon_report.h"
+#include "tests/app/shell/visit_window.h"
+#include "tests/support/places.h"
+
+namespace ghostforce::visit_window_test {
+namespace {
+
+class VisitWindowTest : public VisitWindow {
+ protected:
+  const LessonState& lesson() { return *session().lesson; }
+  const StageButton* button_for(const StageAction& action) const {
+    const auto& buttons = screen().stage().picture().buttons;
+    const auto found = std::ranges::find(buttons, action, &StageButton::action);
+    return found == buttons.end() ? nullptr : &*found;
+  }
+  void click(const StageAction& action) {
+    const StageButton* const found = button_for(action);
+    ASSERT_NE(found, nullptr);
+    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
+    click_at(middle.x, middle.y);
+  }
+  // All that stands on the stage.
+  std::string words() const {
+    std::string all;
+    for (const Mark& mark : screen().panes().front().marks) {
+      if (const auto* const label = std::get_if<Label>(&mark.form)) all += label->text + '\n';
+    }
+    return all;
+  }
+  bool says(const std::string& sentence) const { return words().find(sentence) != std::string::npos; }
+  // To the next lesson, by the key of a clicker.
+  void go_through_lesson() {
+    const auto present = lesson().lesson;
+    for (std::size_t i = 0; i < 2 * present->steps.size() && lesson().lesson == present; ++i) press(key::page_down);
+  }
+};
+
+TEST_F(VisitWindowTest, GoesThroughAllLessonsAndBeginsAgain) {
+  begin();
+  for (int round = 0; round < 2; ++round) {
+    for (const auto& each : shipped_lessons()) {
+      ASSERT_EQ(lesson().lesson->name, each->name);
+      EXPECT_EQ(lesson().step, 0U);
+      EXPECT_EQ(what_is_forbidden(), "");
+      go_through_lesson();
+    }
+  }
+  EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name);
+}
+
+TEST_F(VisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
+  begin();
+  for (const std::string language : {"en", "es"}) {
+    for (const auto& each : shipped_lessons()) {
+      ASSERT_EQ(lesson().lesson->name, each->name);
+      for (std::size_t i = 0; lesson().lesson == each && i < 2 * each->steps.size(); ++i) {
+        SCOPED_TRACE(each->name + " " + each->steps[lesson().step].name);
+        for (const std::string key : {"F1", "F2", "F3", "F4", "F5", "Ctrl", "Esc"}) EXPECT_FALSE(says(key)) << key;
+        const std::array<StageAction, 4> not_theirs{StageCommand::leave, StageCommand::lessons, StageCommand::keys,
+                                                    Face::workbench};
+        for (const StageAction& action : not_theirs) EXPECT_EQ(button_for(action), nullptr);
+        EXPECT_NE(button_for(StageCommand::language), nullptr);
+        press(key::page_down);
+      }
+    }
+    if (language == "en") click(StageCommand::language);
+  }
+}
+
+TEST_F(VisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) {
+  begin();
+  EXPECT_TRUE(says("Feel a wall"));
+  EXPECT_TRUE(says("Español"));
+  click(StageCommand::language);
+  EXPECT_TRUE(says("Siente una pared"));
+  EXPECT_TRUE(says("English"));
+  wait(91.0);
+  EXPECT_TRUE(says("Feel a wall"));
+}
+
+TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
+  begin();
+  frames(60);
+  const Settings settings = session().settings;
+  const Vector<2> goal = session().goal;
+  const SceneView shown = session().stage_shown;
+  const auto expect_start = [&] {
+    EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name);
+    EXPECT_EQ(lesson().step, 0U);
+    EXPECT_EQ(session().settings, settings);
+    EXPECT_EQ(session().goal, goal);
+    EXPECT_EQ(session().input, "mouse");
+    frames(60);
+    EXPECT_EQ(session().stage_shown, shown);
+    EXPECT_LT(glm::distance(now().goal, goal), 1e-9) << "at rest there";
+  };
+  // From every lesson, whatever it leaves behind.
+  for (std::size_t i = 1; i <= shipped_lessons().size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) go_through_lesson();
+    press(key::page_up);
+    press(key::right, modifier::control);
+    press(key::digit_3);
+    wait(89.0);
+    EXPECT_FALSE(lesson().lesson->name == shipped_lessons().front()->name && lesson().step == 0 &&
+                 i % shipped_lessons().size() != 0)
+        << "not yet";
+    wait(2.0);
+    expect_start();
+  }
+  // In the very last second a hand.
+  go_through_lesson();
+  wait(89.0);
+  point_at(300.0, 300.0);
+  wait(89.0);
+  EXPECT_EQ(lesson().lesson->name, shipped_lessons()[1]->name);
+  ImGui_ImplGlfw_ScrollCallback(window_->handle(), 0.0, 1.0);
+  wait(89.0);
+  EXPECT_EQ(lesson().lesson->name, shipped_lessons()[1]->name);
+  wait(2.0);
+  expect_start();
+}
+
+TEST_F(VisitWindowTest, TheFocusGoesWithTheVisitor) {
+  begin();
+  press(key::tab);
+  press(key::tab);
+  EXPECT_TRUE(has_focus());
+  wait(91.0);
+  frames(3);
+  EXPECT_FALSE(has_focus());
+}
+
+TEST_F(VisitWindowTest, InvitesWhileNobodyIsThere) {
+  begin();
+  EXPECT_TRUE(says("drag me"));
+  frames(150);  // until the window has settled
+  point_at(300.0, 300.0);
+  frames(3);
+  EXPECT_FALSE(says("drag me"));
+  wait(91.0);
+  EXPECT_TRUE(says("drag me"));
+  const auto hand = [&] {
+    for (const Mark& mark : screen().panes().front().marks) {
+      const auto* const marker = std::get_if<Marker>(&mark.form);
+      if (marker != nullptr && mark.role == Role::goal) return marker->center;
+    }
+    return Vector<2>(0.0);
+  };
+  const Vector<2> before = hand();
+  const Vector<2> goal = session().goal;
+  wait(23.0);
+  EXPECT_GT(glm::distance(hand(), before), 0.002) << "a hand shows how";
+  EXPECT_EQ(session().goal, goal) << "of which the simulation knows nothing";
+  point_at(400.0, 300.0);
+  frames(40);
+  EXPECT_LT(glm::distance(hand(), before), 1e-9);
+  EXPECT_FALSE(says("drag me"));
+}
+
+TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
+  begin();
+  frames(150);
+  point_at(300.0, 300.0);
+  frames(120);
+  for (int i = 0; i < 87; ++i) application_->update(1.0);
+  EXPECT_FALSE(application_->needs_drawing());
+  for (int i = 0; i < 3; ++i) application_->update(1.0);
+  EXPECT_TRUE(application_->needs_drawing());
+}
+
+TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
+  begin();
+  for (const KeyBinding& binding : key_table()) {
+    const bool is_end = binding.key == key::q && (binding.modifiers & modifier::alt) != 0;
+    if (is_end) continue;
+    press(binding.key, binding.modifiers);
+    EXPECT_EQ(what_is_forbidden(), "") << binding.shown << ' ' << binding.sentence << ' ' << binding.key;
+  }
+}
+
+TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
+  begin();
+  ask_to_close();
+  EXPECT_FALSE(window_->should_close());
+  press(key::q, modifier::control);
+  EXPECT_FALSE(window_->should_close());
+  press(key::q, modifier::control | modifier::alt);
+  press(key::q, modifier::control | modifier::shift);
+  EXPECT_FALSE(window_->should_close());
+  press(key::q, modifier::control | modifier::alt | modifier::shift);
+  EXPECT_TRUE(window_->should_close());
+}
+
+TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
+  begin();
+  const TemporaryFolder elsewhere;
+  const std::string lesson_path = elsewhere / "mine.toml";
+  write_whole(lesson_path, read_whole(source_path("/assets/lessons/ghost.toml")));
+  const std::string scene_path = elsewhere / "scene.toml";
+  write_whole(scene_path, scene_text(load_scene("fig1")));
+  const std::string missing = elsewhere / "missing";
+  const std::string picture = source_path("/docs/stage-why.png");
+  for (const std::string& path : {lesson_path, scene_path, picture, missing}) {
+    drop({path.c_str()});
+    frames(3);
+    ASSERT_EQ(what_is_forbidden(), "") << path;
+    EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name) << path;
+  }
+}
+
+TEST_F(VisitWindowTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
+  begin();
+  frames(60);
+  const SceneView shown = session().stage_shown;
+  point_at(640.0, 400.0);
+  frames(2);
+  scroll(3.0);
+  drag({640.0, 400.0}, {800.0, 500.0}, GLFW_MOUSE_BUTTON_RIGHT);
+  frames(10);
+  EXPECT_EQ(session().stage_shown, shown);
+}
+
+TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
+  begin("virtual-falcon");
+  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
+  ASSERT_EQ(virtual_falcon().report().state, FalconState::idle);
+  frames(60, 100);
+  // The button is there for them.
+  ASSERT_NE(button_for(StageCommand::motors), nullptr) << words();
+  const auto& motors = [&]() -> const MotorReport& { return application_->report().motors; };
+  click(StageCommand::motors);
+  frames(30, 400);
+  ASSERT_EQ(motors().state, SafetyState::on);
+  press(key::page_down);
+  const auto wait_with_ticks = [&](double seconds) {
+    for (double passed_s = 0.0; passed_s < seconds; passed_s += 0.25) {
+      for (int k = 0; k < 250; ++k) application_->servo().step();
+      application_->frame(0.25);
+    }
+  };
+  wait_with_ticks(85.0);
+  EXPECT_EQ(motors().state, SafetyState::on) << "somebody may be there";
+  EXPECT_EQ(lesson().step, 1U);
+  wait_with_ticks(10.0);
+  EXPECT_EQ(lesson().step, 0U);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::visitor_gone);
+  // Nothing arms by itself, and the next visitor reads why they are off before they can.
+  wait_with_ticks(200.0);
+  EXPECT_EQ(motors().state, SafetyState::off);
+  EXPECT_EQ(motors().reason, OffReason::visitor_gone);
+  EXPECT_TRUE(says("nobody there"));
+  click(StageCommand::motors);
+  frames(4, 100);
+  EXPECT_EQ(motors().reason, OffReason::none);
+  EXPECT_EQ(motors().state, SafetyState::off);
+}
+
+TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
+  begin("virtual-falcon");
+  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
+  press(key::page_down);
+  wait(200.0);
+  frames(10, 100);
+  EXPECT_EQ(application_->report().motors.state, SafetyState::off);
+  EXPECT_EQ(application_->report().motors.reason, OffReason::none);
+}
+
+TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
+  begin("virtual-falcon");
+  for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
+  press(key::page_down);
+  for (int i = 0; i < 6; ++i) {
+    wait(60.0);
+    virtual_falcon().move_to({-0.02, i % 2 == 0 ? 0.02 : 0.03}, 0.1);
+    frames(10, 100);
+  }
+  EXPECT_EQ(session().visit->departures, 0U);
+  EXPECT_EQ(lesson().step, 1U);
+  wait(91.0);
+  EXPECT_EQ(session().visit->departures, 1U);
+}
+
+}  // namespace
+}  // namespace ghostforce::visit_window_test

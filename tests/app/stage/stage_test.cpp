@@ -1,0 +1,337 @@
+// The stage as a picture, over many moments by dice: no words over a mark, over each other or beyond the window; all of
+// them large enough for the last row; and the numbers always there.
+#include "app/stage/stage.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "tests/app/stage/stage_faults.h"
+
+namespace ghostforce::stage_test {
+namespace {
+
+constexpr int cases = 700;
+
+class Stage : public testing::TestWithParam<const StageLanguage*> {
+ protected:
+  // At rest under one goal.
+  StageCase case_at(const Settings& settings, const Vector<2>& goal) const {
+    StageCase made = stage_case_at(settings, goal);
+    made.language = GetParam();
+    return made;
+  }
+};
+INSTANTIATE_TEST_SUITE_P(InEachLanguage, Stage, testing::ValuesIn(stage_languages),
+                         [](const auto& each) { return std::string(each.param->code); });
+
+TEST_P(Stage, HasNoWordsOverMarksOrEachOtherOrCutOff) {
+  PictureDice dice(20261130);
+  int faulty = 0;
+  for (int i = 0; i < cases; ++i) {
+    const StageCase shown = stage_case_by(dice, *GetParam());
+    const Drawn drawn(shown.compose());
+    const std::vector<std::string> faults = faults_of(shown, drawn);
+    if (faults.empty()) continue;
+    if (++faulty > 20) continue;
+    for (const std::string& fault : faults) ADD_FAILURE() << "case " << i << " " << words_for(shown) << ": " << fault;
+  }
+  EXPECT_EQ(faulty, 0);
+}
+
+// Also where a label has just lost its place: in pictures that follow one another.
+TEST_P(Stage, HasNoWordsOverMarksFromMomentToMoment) {
+  PictureDice dice(7);
+  int faulty = 0;
+  for (int round = 0; round < 25; ++round) {
+    LabelMemory memory;
+    StageCase shown = stage_case_by(dice, *GetParam());
+    const StageCase other = stage_case_by(dice, *GetParam());
+    const Vector<2> from = shown.moment.goal;
+    const Vector<2> to = to_world(stage_camera(shown.shown, shown.size, 0.86 * shown.size.y),
+                                  shown.size * Vector<2>(dice.between(0.0, 1.0), dice.between(0.0, 1.0)));
+    for (int i = 0; i < 30; ++i) {
+      shown.moment = stage_moment_at_rest(shown.settings, from + (to - from) * (i / 30.0));
+      if (i == 20) shown.size = other.size;
+      if (i == 25) shown.scale = other.scale;
+      const Drawn drawn(shown.compose(memory, 1.0 / 60.0));
+      const std::vector<std::string> faults = faults_of(shown, drawn);
+      if (faults.empty()) continue;
+      if (++faulty > 20) continue;
+      for (const std::string& fault : faults) {
+        ADD_FAILURE() << "round " << round << "." << i << " " << words_for(shown) << ": " << fault;
+      }
+    }
+  }
+  EXPECT_EQ(faulty, 0);
+}
+
+bool has_numbers(const StageCase& shown) {
+  return shown.mode == StageMode::none || shown.mode == StageMode::ribbon ||
+         (shown.mode == StageMode::predict && !shown.guess.is_open);
+}
+
+// Any place for so large a block that is clear of everything that it must not cover, with some air.
+bool has_clear_place(const StageCase& shown, const Drawn& drawn, const Vector<2>& extent, bool also_of_soft) {
+  const double air = 9.0 * drawn.picture.unit;
+  std::vector<ScreenBox> taken;
+  for (const LabelExtent& label : drawn.extents.labels) {
+    if (label.role == Role::sentence || label.role == Role::hint) taken.push_back(label.box.grown(air));
+  }
+  for (const StageButton& button : drawn.picture.buttons) taken.push_back(button.box.grown(air));
+  if (drawn.picture.ribbon) taken.push_back(drawn.picture.ribbon->box.grown(air));
+  for (double x = air; x + extent.x + air < shown.size.x; x += 16.0) {
+    for (double y = air; y + extent.y + air < shown.size.y; y += 16.0) {
+      const ScreenBox box{{x, y}, Vector<2>(x, y) + extent};
+      if (std::ranges::any_of(taken, [&](const ScreenBox& other) { return overlap(box, other) > 0.0; })) continue;
+      const bool is_covered = std::ranges::any_of(drawn.extents.marks, [&](const Extent& mark) {
+        return (also_of_soft || !is_soft(mark)) && !drawn.is_in_ribbon(mark) && reach_into(box.grown(air), mark) > 0.0;
+      });
+      if (!is_covered) return true;
+    }
+  }
+  return false;
+}
+
+TEST_P(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
+  PictureDice dice(31);
+  int asked = 0;
+  int over_soft = 0;
+  int gone = 0;
+  int missed = 0;
+  Vector<2> usual(0.0);
+  for (int i = 0; i < 500; ++i) {
+    const StageCase shown = stage_case_by(dice, *GetParam());
+    if (!has_numbers(shown)) continue;
+    const Drawn drawn(shown.compose());
+    ++asked;
+    if (drawn.label(Role::number) == nullptr) {
+      ++gone;
+      StageCase plain = case_at(wall45(), wall45_goal);
+      plain.size = shown.size;
+      plain.scale = shown.scale;
+      plain.corner = shown.corner;
+      plain.moment.is_measured = shown.moment.is_measured;
+      usual = Drawn(plain.compose()).numbers().extent();
+      EXPECT_FALSE(has_clear_place(shown, drawn, usual, false)) << i << " " << words_for(shown);
+      continue;
+    }
+    const ScreenBox box = drawn.numbers();
+    if (!drawn.covers_soft_marks(box)) continue;
+    ++over_soft;
+    missed += has_clear_place(shown, drawn, box.extent(), true) ? 1 : 0;
+  }
+  // Words that are placed after the numbers may clear a place for them that was not there yet.
+  EXPECT_LE(missed, asked / 100);
+  fmt::print("numbers: {} asked, {} over wall, rail or dotted line, {} without a place\n", asked, over_soft, gone);
+  EXPECT_LE(over_soft, asked / 5);
+  EXPECT_LE(gone, asked / 50);
+}
+
+// --- What is usual loses no words --------------------------------------------------------------------------------------
+
+std::vector<std::string> usual_words(StrategyId active, const StageLanguage::Labels& labels) {
+  const auto with = [](std::string_view words, std::string_view more) { return fmt::format("{} {}", words, more); };
+  std::vector<std::string> words{std::string(labels.handle), with(labels.wall, ""), std::string(labels.hand),
+                                 std::string(labels.virtual_wall)};
+  if (active != StrategyId::full) words.push_back(filled(labels.motor_pushes, labels.left_and_right));
+  if (active == StrategyId::naive) {
+    words.insert(words.end(), {with(labels.ghost, "1.27 N"), with(labels.slid, "12.0 mm"),
+                               std::string(labels.should_rest), std::string(labels.should_hold)});
+  }
+  return words;
+}
+
+TEST_P(Stage, SaysEverythingInTheUsualPictures) {
+  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0),
+                                Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0), Vector<2>(3840.0, 2160.0)}) {
+    for (const double scale : {0.75, 1.0}) {
+      for (const Theme& theme : theme_catalog()) {
+        for (const Strategy& strategy : strategy_catalog()) {
+          StageCase shown = case_at(wall45(strategy.id), wall45_goal);
+          shown.shown = stage_view_of(shown.settings, wall45_goal);
+          shown.size = size;
+          shown.scale = scale;
+          shown.theme = theme.name;
+          const Drawn drawn(shown.compose());
+          std::string all;
+          for (const LabelExtent& label : drawn.extents.labels) all += label.words + ' ';
+          for (const std::string& words : usual_words(strategy.id, GetParam()->labels)) {
+            EXPECT_TRUE(all.find(words) != std::string::npos) << words << " in " << words_for(shown);
+          }
+          EXPECT_LE(drawn.extents.leaders.size(), 2U) << words_for(shown);
+          EXPECT_FALSE(drawn.covers_soft_marks(drawn.numbers())) << words_for(shown);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Stage, SaysAllStepsOfWhyInTheUsualPictures) {
+  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
+    for (const StrategyId id : {StrategyId::naive, StrategyId::anisotropic}) {
+      StageCase shown = case_at(wall45(id), wall45_goal);
+      shown.size = size;
+      shown.mode = StageMode::why;
+      shown.why_step = 4;
+      const Drawn drawn(shown.compose());
+      for (const char* const number : {"1  ", "2  ", "3  ", "4  "}) {
+        EXPECT_TRUE(std::ranges::any_of(drawn.extents.labels,
+                                        [&](const LabelExtent& label) { return label.words.starts_with(number); }))
+            << number << words_for(shown);
+      }
+    }
+  }
+}
+
+// Of a piece of the force, so far as it is seen.
+double arrow_length(const Drawn& drawn, Role role) {
+  double length = 0.0;
+  for (const Mark& mark : drawn.picture.pane.marks) {
+    const auto* const arrow = std::get_if<Arrow>(&mark.form);
+    if (arrow == nullptr || mark.role != role) continue;
+    const Camera& camera = drawn.picture.pane.camera;
+    ScreenPiece piece{to_screen(camera, arrow->tail), to_screen(camera, arrow->tip), 0.0};
+    if (clip(drawn.picture.scene, piece)) length = std::max(length, glm::distance(piece.from, piece.to));
+  }
+  return length;
+}
+
+TEST_P(Stage, LeavesOutTheLessImportantWords) {
+  PictureDice dice(99);
+  std::map<Role, std::array<int, 2>> count;  // asked for, found
+  const auto tally = [&](const Drawn& drawn, Role role, std::string_view words) {
+    ++count[role][0];
+    if (drawn.label(role, words) != nullptr) ++count[role][1];
+  };
+  for (int i = 0; i < 400; ++i) {
+    StageCase shown = stage_case_by(dice, *GetParam());
+    shown.mode = StageMode::none;
+    shown.warning = {};
+    const Drawn drawn(shown.compose());
+    const Camera& camera = drawn.picture.pane.camera;
+    const StageMoment& moment = shown.moment;
+    const auto is_seen = [&](const Vector<2>& world) {
+      return contains(drawn.picture.scene, to_screen(camera, world));
+    };
+    // What lies beyond the scene needs no words.
+    if (!is_seen(moment.handle) || !is_seen(moment.goal) || !is_seen(moment.proxy)) continue;
+    // In the fist there is no handle to be seen.
+    const double apart = glm::distance(moment.handle, moment.goal) * camera.points_per_metre;
+    if (apart > 60.0 * drawn.picture.unit) tally(drawn, Role::device, GetParam()->labels.handle);
+    tally(drawn, Role::hand, "");
+    for (const auto& [role, force] :
+         {std::pair(Role::ghost_force, moment.ghost_force), std::pair(Role::wall_share, moment.wall_share)}) {
+      if (glm::length(force) < least_shown_force) continue;
+      if (arrow_length(drawn, role) > 30.0 * drawn.picture.unit) tally(drawn, role, "");
+    }
+    if (!moment.is_measured && moment.in_contact && glm::length(moment.slide) * camera.points_per_metre > 10.0) {
+      tally(drawn, Role::proxy_drift, GetParam()->labels.slid);
+    }
+    if (moment.weights[index_of(StrategyId::full)] == 0.0) tally(drawn, Role::motor_axis, "");
+  }
+  for (const auto& [role, both] : count) fmt::print("{}: {} of {}\n", role_name(role), both[1], both[0]);
+  const auto share = [&](Role role) { return static_cast<double>(count[role][1]) / count[role][0]; };
+  EXPECT_GE(share(Role::ghost_force), 0.97);
+  EXPECT_GE(share(Role::proxy_drift), 0.95);
+  EXPECT_GE(share(Role::device), 0.95);
+  EXPECT_GE(share(Role::wall_share), 0.9);
+  EXPECT_GE(share(Role::hand), 0.85);
+}
+
+// --- Sizes -------------------------------------------------------------------------------------------------------------
+
+TEST_P(Stage, CanBeReadFromTheLastRow) {
+  PictureDice dice(5);
+  for (const Vector<2>& size : {Vector<2>(1024.0, 768.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
+    for (const double scale : {1.0, 2.0}) {
+      for (int i = 0; i < 60; ++i) {
+        StageCase shown = stage_case_by(dice, *GetParam());
+        shown.size = size;
+        shown.scale = scale;
+        for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+          EXPECT_GE(label.style.height / 1.17, size.y / 30.0 - 1e-9) << label.words << " in " << words_for(shown);
+        }
+      }
+    }
+  }
+}
+
+TEST_P(Stage, HasLettersOfWholePoints) {
+  PictureDice dice(6);
+  for (int i = 0; i < 100; ++i) {
+    const StageCase shown = stage_case_by(dice, *GetParam());
+    const Drawn drawn(shown.compose());
+    for (const LabelExtent& label : drawn.extents.labels) {
+      if (drawn.is_in_ribbon(label.box)) continue;
+      EXPECT_EQ(label.style.height, std::round(label.style.height)) << label.words << " in " << words_for(shown);
+    }
+  }
+}
+
+TEST_P(Stage, GrowsWithTheWindow) {
+  for (const double ratio : {4.0 / 3.0, 1.6, 16.0 / 9.0, 21.0 / 9.0}) {
+    for (const double scale : {0.75, 1.0, 2.0, 3.0}) {
+      std::map<std::string, double> before;
+      for (double height = 640.0; height <= 2160.0; height += 76.0) {
+        StageCase shown = case_at(wall45(), wall45_goal);
+        shown.size = {std::round(ratio * height), height};
+        shown.scale = scale;
+        for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+          const auto found = before.find(label.words);
+          const double least = found == before.end() ? 0.0 : found->second;
+          EXPECT_GE(label.style.height, least) << label.words << height;
+          before[label.words] = label.style.height;
+        }
+      }
+    }
+  }
+}
+
+// The scene may pass below the sentence; what matters should rarely be there.
+TEST_P(Stage, SeldomHasHandleHandOrArrowBelowTheSentence) {
+  PictureDice dice(12);
+  int covered = 0;
+  constexpr int looked_at = 300;
+  for (int i = 0; i < looked_at; ++i) {
+    const Settings settings = dice.settings();
+    StageCase shown = case_at(settings, dice.goal(settings));
+    shown.size = dice.size();
+    shown.scale = dice.one_in(2) ? 1.0 : dice.scale();
+    const Drawn drawn(shown.compose());
+    const std::set<Role> important{Role::device, Role::goal, Role::hand, Role::wall_share, Role::ghost_force};
+    const bool is_covered = std::ranges::any_of(drawn.extents.labels, [&](const LabelExtent& label) {
+      return label.role == Role::sentence && std::ranges::any_of(drawn.extents.marks, [&](const Extent& mark) {
+               return important.contains(mark.role) && reach_into(label.box, mark) > 0.0;
+             });
+    });
+    covered += is_covered ? 1 : 0;
+  }
+  fmt::print("handle, hand or arrow below the sentence: {} of {}\n", covered, looked_at);
+  EXPECT_LE(covered, looked_at / 10);
+}
+
+TEST_P(Stage, HasNumbersOfOneWidth) {
+  const Settings settings = wall45();
+  std::set<double> places;
+  for (double depth = 0.0005; depth < 0.06; depth += 0.0013) {
+    StageCase shown = case_at(settings, wall45_goal);
+    shown.moment = stage_moment_at_rest(settings, Vector<2>(std::sqrt(0.5), -std::sqrt(0.5)) * depth);
+    shown.shown = {.center = {0.3, 0.3}, .width = 0.1};  // nothing of it is to be seen: the numbers alone
+    for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
+      if (label.role == Role::number && (label.words == "N" || label.words == "mm")) places.insert(label.box.least.x);
+    }
+  }
+  EXPECT_EQ(places.size(), 1U);
+}
+
+}  // namespace
+}  // namespace ghostforce::stage_test
