@@ -289,7 +289,7 @@ TEST(RoomsSelfTest, SaysWhere) {
 TEST(RoomsSelfTest, SeesWhatIsAllowedAndNotUsed) {
   const Rooms rooms{{"app/shell", {.folders = {"core", "app/picture"}, .libraries = {"fmt", "imgui"}}}};
   const Tree tree{{"app/shell/a.cpp", "#include \"core/b.h\"\n#include <imgui.h>\n"}};
-  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/shell uses nothing of app/picture\napp/ui uses nothing of fmt\n");
+  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/shell uses nothing of app/picture\napp/shell uses nothing of fmt\n");
 }
 
 TEST(RoomsSelfTest, SeesARingOfFolders) {
