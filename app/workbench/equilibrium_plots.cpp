@@ -23,7 +23,6 @@ namespace ghostforce {
 namespace {
 
 constexpr double whole_turn = 2.0 * std::numbers::pi;
-constexpr float snap_points = 7.0F;
 
 // What is drawn over the setting.
 struct EquilibriumQuantity {
@@ -211,7 +210,7 @@ void draw_ratio_plots(const PanelContext& context) {
   }
   const auto dragged = draw_equilibrium_plots(context, curves, axis, question, "");
   if (!dragged) return;
-  const double snap = static_cast<double>(snap_points * context.scale) * decades_per_pixel;
+  const double snap = static_cast<double>(ratio_snap_points * context.scale) * decades_per_pixel;
   context.apply(
       ChangeStiffnesses{with_ratio(context.session.settings.stiffnesses, std::clamp(*dragged, least, greatest), snap)});
 }

@@ -16,8 +16,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr float snap_points = 7.0F;
-
 // The dial is logarithmic and has naïve at a quarter and optimal at three quarters of it, wherever ρ* is.
 class Scale {
  public:
@@ -133,7 +131,7 @@ void draw_ratio_dial(const PanelContext& context) {
   if (ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     const float pointer = ImGui::GetIO().MousePos.x;
     const double place = std::clamp(static_cast<double>((pointer - left) / length), 0.0, 1.0);
-    const double snap = scale.decade() * static_cast<double>(snap_points * context.scale / length);
+    const double snap = scale.decade() * static_cast<double>(ratio_snap_points * context.scale / length);
     context.apply(ChangeStiffnesses{with_ratio(stiffnesses, scale.ratio(place), snap)});
   }
   for (const Nudge& nudge : take_nudges()) {

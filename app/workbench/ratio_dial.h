@@ -18,6 +18,7 @@ RatioRange ratio_range(const Stiffnesses& stiffnesses);
 
 // As a person who drags means it: near ρ* the optimal ratio from now on, near 1 exactly naïve, else this one. `snap` is
 // how near, as a difference of logarithms.
+inline constexpr float ratio_snap_points = 7.0F;  // that near under the pointer
 Stiffnesses with_ratio(Stiffnesses stiffnesses, double ratio, double snap);
 
 }  // namespace ghostforce
