@@ -149,19 +149,27 @@ void Falcon::opened(LinkFault fault) noexcept {
   report_.lost_exchanges = 0;
   report_.state = attempt_ == 0 ? FalconState::opening : FalconState::loading_firmware;
   may_have_firmware_ = attempt_ == 0;
-  link_script_ = LinkScript(set_up_link);
-  phase_ = Phase::configuring;
+  begin_asking();
   if (!may_have_firmware_) {
     boot_loader_ = BootLoader(options_.firmware);
     phase_ = Phase::loading;
   }
 }
 
+void Falcon::begin_asking() noexcept {
+  questions_left_ = has_answered_ || may_push_ ? patient_questions : first_questions;
+  set_up_chip();
+}
+
+void Falcon::set_up_chip() noexcept {
+  link_script_ = LinkScript(set_up_link);
+  phase_ = Phase::configuring;
+}
+
 void Falcon::configure() noexcept {
   const LinkProgress progress = link_script_.update(link());
   if (progress == LinkProgress::running) return;
   if (progress == LinkProgress::failed) return end(FalconFault::broken);
-  questions_left_ = has_answered_ || may_push_ ? patient_questions : first_questions;
   packets_before_ = link().counters().packets_in;
   begin_exchanging();
   phase_ = Phase::asking;
@@ -192,6 +200,8 @@ void Falcon::ask() noexcept {
     return;
   }
   if (questions_left_ > 0) {
+    // The chip of one that may push can have been reset again, and have lost its rate.
+    if (may_push_ && replies_.is_waiting()) return set_up_chip();
     if (send_command()) --questions_left_;
     return;
   }
@@ -215,8 +225,7 @@ void Falcon::load() noexcept {
   report_.bytes_echoed = static_cast<std::uint32_t>(boot_loader_.bytes_echoed());
   if (progress == LinkProgress::failed) return try_loading_again(fault_of(boot_loader_.fault()));
   if (progress == LinkProgress::running) return;
-  link_script_ = LinkScript(set_up_link);
-  phase_ = Phase::configuring;
+  begin_asking();
 }
 
 // What helps most often is to begin anew with the device closed and opened.

@@ -109,6 +109,8 @@ class Falcon {
 
   void look() noexcept;
   void opened(LinkFault fault) noexcept;
+  void begin_asking() noexcept;
+  void set_up_chip() noexcept;
   void configure() noexcept;
   void ask() noexcept;
   void load() noexcept;

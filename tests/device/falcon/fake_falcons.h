@@ -36,9 +36,11 @@ struct FakeFalcon {
 
   std::string serial;
   bool is_plugged = true;
-  std::int64_t return_ns = std::numeric_limits<std::int64_t>::max();  // when it is plugged in by itself
-  bool is_busy = false;                                               // another program has it
-  bool is_deaf = false;                                               // the processor; the chip goes on
+  static constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
+  std::int64_t return_ns = never_ns;  // when it is plugged in by itself
+  std::int64_t reset_ns = never_ns;   // when its chip is reset
+  bool is_busy = false;               // another program has it
+  bool is_deaf = false;               // the processor; the chip goes on
   bool refuses_latency = false;
   std::int64_t reply_delay_ns = 0;
 
@@ -134,7 +136,7 @@ class FakeFalcons final : public FalconLink {
     while (!has_news) {
       const std::int64_t next_ns = std::min(deadline_ns, next_event_ns());
       now_ns_ = std::max(now_ns_, next_ns);
-      plug_in_who_returns();
+      do_what_is_due();
       has_news = happen();
       if (now_ns_ >= deadline_ns && !has_news) break;
     }
@@ -172,11 +174,16 @@ class FakeFalcons final : public FalconLink {
     if (is_live() && !replies_.empty()) next_ns = std::min(next_ns, replies_.front().at_ns);
     return next_ns;
   }
-  void plug_in_who_returns() {
+  void do_what_is_due() {
     for (FakeFalcon* const falcon : falcons_) {
-      if (now_ns_ < falcon->return_ns) continue;
-      falcon->return_ns = std::numeric_limits<std::int64_t>::max();
-      falcon->plug();
+      if (now_ns_ >= falcon->return_ns) {
+        falcon->return_ns = FakeFalcon::never_ns;
+        falcon->plug();
+      }
+      if (now_ns_ >= falcon->reset_ns) {
+        falcon->reset_ns = FakeFalcon::never_ns;
+        falcon->reset_chip();
+      }
     }
   }
   bool happen() {

@@ -379,6 +379,30 @@ TEST_F(OwedStops, AtTheEndOfTheProgramADeviceMayReturnAtAnyMoment) {
 
 // --- What a chip may lose or refuse while its cable is in ---
 
+// Wherever that falls between the chip's being set up and the stop.
+TEST_F(OwedStops, AChipThatIsResetWhileItReturnsGetsTheStopSoon) {
+  constexpr std::int64_t no_reset = -1;
+  const auto stopped_after_ns = [&](std::int64_t reset_after_ns) {
+    a = FakeFalcon{"12PZ657E"};
+    b.is_plugged = false;
+    driver = driver_with({});
+    is_armed = true;
+    push_with(a);
+    a.unplug();
+    run(1.0);
+    is_armed = false;
+    a.plug();
+    const std::int64_t plugged_ns = now_ns;
+    if (reset_after_ns != no_reset) a.reset_ns = now_ns + reset_after_ns;
+    EXPECT_GE(ms_until([&] { return !a.pushes(); }, 10.0), 0);
+    return a.last_force_ns - plugged_ns;
+  };
+  const std::int64_t usual_ns = stopped_after_ns(no_reset);
+  for (std::int64_t before_ns = 0; before_ns <= ms; before_ns += 20'000) {
+    EXPECT_LE(stopped_after_ns(usual_ns - before_ns) - usual_ns, 50 * ms) << before_ns << " ns before the stop";
+  }
+}
+
 TEST_F(OwedStops, AChipThatIsResetWhileItsCableIsInGetsTheStopInTime) {
   push_with(a);
   a.reset_chip();
