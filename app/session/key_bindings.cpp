@@ -197,10 +197,9 @@ std::string chord_of(const KeyBinding& binding) {
     int key;
     std::string_view name;
   };
-  constexpr std::array names{KeyName{key::space, "Space"},    KeyName{key::minus, "−"},
-                             KeyName{key::equal, "+"},        KeyName{key::enter, "Enter"},
-                             KeyName{key::escape, "Esc"},     KeyName{key::tab, "Tab"},
-                             KeyName{key::page_up, "PgUp"},   KeyName{key::page_down, "PgDn"}};
+  constexpr std::array names{KeyName{key::space, "Space"},  KeyName{key::minus, "−"},       KeyName{key::equal, "+"},
+                             KeyName{key::enter, "Enter"},  KeyName{key::escape, "Esc"},    KeyName{key::tab, "Tab"},
+                             KeyName{key::page_up, "PgUp"}, KeyName{key::page_down, "PgDn"}};
   std::string chord;
   if ((binding.modifiers & ctrl) != 0) chord += "Ctrl+";
   if ((binding.modifiers & alt) != 0) chord += "Alt+";

@@ -107,8 +107,8 @@ std::string why_not(const Circumstances& now, const ChooseInput& action) {
 }
 
 template <auto Session::*member>
-  requires std::equality_comparable<decltype(Change<member>::after)>
-std::string why_not(const Circumstances& now, const Change<member>& action) {
+requires std::equality_comparable<decltype(Change<member>::after)> std::string why_not(const Circumstances& now,
+                                                                                       const Change<member>& action) {
   return refuse_unless(!(now.session.*member == action.after), now.language.refusals.is_so_already);
 }
 

@@ -84,9 +84,14 @@ std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEnt
   ImGui::BeginChild("found", {width, height}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   if (has_moved) {
     const float top = row * static_cast<float>(mark);
-    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), top + row - height, top));
+    ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::max(0.0F, top + row - height), top));
   } else {
-    mark = std::min(mark_in_sight(mark, row, height), found.size() - 1);
+    mark = mark_in_sight(mark, row, height);
+  }
+  if (found.empty()) {
+    wrapped_text(stage_language(context.session.language).palette.nothing);
+  } else {
+    mark = std::min(mark, found.size() - 1);
   }
   const ImVec2 size{ImGui::GetContentRegionAvail().x, row};
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -109,19 +114,16 @@ void draw_palette(const PanelContext& context) {
   const float width = dialog_field_width(palette_width, context);
   const std::string sought_before = form.sought;
   ImGui::SetNextItemWidth(width);
-  if (form.belongs_to != Dialog::palette) ImGui::SetKeyboardFocusHere();
+  // After a click into the list, too.
+  if (form.belongs_to != Dialog::palette || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   const bool entered = search_field("##sought", said.hint.data(), form.sought);
   const bool is_active = ImGui::IsItemActive();
   const std::vector<std::size_t> found = find_in_palette(entries, form.sought);
   const bool is_other = form.sought != sought_before;
   if (is_other) form.marked_action = 0;
-  if (found.empty()) {
-    wrapped_text(said.nothing, ImGui::GetCursorPosX() + width);
-    return;
-  }
   const bool has_moved = (is_active && move_palette_mark(form.marked_action, found.size())) || is_other;
   std::size_t chosen = draw_found(context, entries, found, width, has_moved);
-  const std::string& refusal = entries[found[form.marked_action]].refusal;
+  const std::string refusal = found.empty() ? "" : entries[found[form.marked_action]].refusal;
   const float top = ImGui::GetCursorPosY();
   wrapped_text(refusal.empty() ? said.keys : std::string_view(refusal), ImGui::GetCursorPosX() + width);
   const float bottom = top + lines_of_refusal * ImGui::GetTextLineHeightWithSpacing();

@@ -54,6 +54,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       StepBack{},
                                       LeaveLesson{},
                                       OpenDialog{Dialog::help},
+                                      ToggleDialog{Dialog::palette},
                                       ToggleBlank{}};
   for (const Action& action : forbidden) EXPECT_TRUE(may(action)) << action.index();
   begin_visit(session, shipped_lessons());
