@@ -231,9 +231,9 @@ std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopRead
   add_motors(entries);
   add_strategies(entries);
   add_modes(entries);
+  add_looks(entries);
   add_keys(entries);
   add_experiments(entries);
-  add_looks(entries);
   add_lessons_and_scenes(entries);
   return std::move(entries.all);
 }

@@ -1,9 +1,9 @@
 // What is found for what is typed, as values.
 #include "app/session/palette_search.h"
 
-#include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -51,7 +51,8 @@ TEST(PaletteSearch, FindsInBothLanguagesWhatPeopleLookFor) {
   Session session = session_of(load_scene("wall45"));
   for (const Case& c : {Case{"en", "emergency", &Name::stop_motors}, Case{"en", "arm", &Name::arm_motors},
                         Case{"en", "save", &Name::save_scene}, Case{"en", "screenshot", &Name::save_picture},
-                        Case{"en", "video", &Name::save_clip}, Case{"en", "fullscreen", nullptr},
+                        Case{"en", "video", &Name::save_clip}, Case{"en", "xyzzy", nullptr},
+                        Case{"en", "fullscreen", &Name::full_screen}, Case{"en", "side by side", &Name::side_by_side},
                         Case{"en", "full screen", &Name::full_screen}, Case{"en", "dark", &Name::dark_theme},
                         Case{"es", "motor", &Name::stop_motors}, Case{"es", "guardar", &Name::save_scene},
                         Case{"es", "video", &Name::save_clip}, Case{"es", "teclas", &Name::help},
