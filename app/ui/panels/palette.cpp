@@ -80,8 +80,8 @@ std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEnt
   const float room = ImGui::GetIO().DisplaySize.y - rest_of_palette * context.scale;
   const float height = row * std::clamp(std::floor(room / row), 1.0F, most_rows);
   std::size_t pressed = found.size();
-  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
   ImGui::BeginChild("found", {width, height}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});
   if (has_moved) {
     const float top = row * static_cast<float>(mark);
     ImGui::SetScrollY(std::clamp(ImGui::GetScrollY(), std::max(0.0F, top + row - height), top));
@@ -99,8 +99,8 @@ std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEnt
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) mark = i;
   }
-  ImGui::EndChild();
   ImGui::PopStyleVar();
+  ImGui::EndChild();
   return pressed;
 }
 

@@ -168,7 +168,7 @@ TEST(FrontKeys, AreShownAsTheyAre) {
     const FrontKeys& all = front.keys;
     for (const FrontKey& each : {all.help, all.lessons, all.device_status, all.plots, all.full_screen, all.next_theme,
                                  all.save_picture, all.copy_picture, all.copy_values}) {
-      EXPECT_EQ(each.shown, chord_of({.key = each.key, .modifiers = each.modifiers}));
+      EXPECT_EQ(each.shown, chord_of({each.key, each.modifiers, {}, {}, {}}));
     }
     const bool has_shift = (all.move_view_modifiers & shift) != 0;
     EXPECT_TRUE(
