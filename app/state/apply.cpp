@@ -456,7 +456,8 @@ void act(Session& session, const HideHints&) {
 
 Effects apply(Session& session, const Action& action) {
   if (const std::optional<Refusal> refusal = permit(session, action)) {
-    if (refusal->is_told) session.notice = Notice{std::string(refusal->words), refusal->is_problem, 0.0};
+    const std::string_view words = stage_language(session.language).refusals.*refusal->words;
+    if (refusal->is_told) session.notice = Notice{std::string(words), refusal->is_problem, 0.0};
     return {};
   }
   Effects effects;

@@ -30,7 +30,6 @@ struct FrontKeys {
 
   // Of what these keys do, where that differs too.
   std::string_view zoom_sentence;
-  std::string_view save_picture_sentence;
   std::string_view text_size_sentence;  // of the setting
 
   // Keys that quit and that change the size of text. A browser closes and zooms its pages itself.
@@ -45,14 +44,13 @@ inline constexpr FrontKeys keys_on_desktop{
     .plots = {key::f3, 0, "F3"},
     .full_screen = {key::f11, 0, "F11"},
     .next_theme = {key::t, modifier::control, "Ctrl+T"},
-    .save_picture = {key::p, modifier::control, "Ctrl+P"},
+    .save_picture = {key::s, modifier::control | modifier::shift, "Ctrl+Shift+S"},
     .copy_picture = {key::p, modifier::control | modifier::shift, "Ctrl+Shift+P"},
     .save_clip = {key::p, modifier::alt, "Alt+P"},
     .copy_values = {key::c, modifier::control | modifier::shift, "Ctrl+Shift+C"},
     .link = {},
     .move_view_modifiers = modifier::alt,
     .zoom_sentence = "Zoom in (Shift: out); Alt+arrows move the view",
-    .save_picture_sentence = "Save a picture: PNG, SVG or PDF",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.",
     .has_own_window = true};
 
@@ -71,7 +69,6 @@ inline constexpr FrontKeys keys_in_page{
     .link = {key::u, 0, "U"},
     .move_view_modifiers = modifier::shift | modifier::alt,
     .zoom_sentence = "Zoom in (Shift: out); Shift+Alt+arrows move the view",
-    .save_picture_sentence = "Save a picture",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. The browser's own zoom changes it too.",
     .has_own_window = false};
 

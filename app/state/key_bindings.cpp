@@ -46,16 +46,23 @@ bool is_for_field(const KeyPress& press) {
   return !is_function_key && (press.modifiers & chords) == 0;
 }
 
+// What the palette has too; a row for one key is called the same there.
+KeyBinding called(ActionWords words, KeyBinding binding) {
+  binding.named = words;
+  if (!binding.shown.empty() && binding.sentence.empty()) binding.sentence = (english_stage.actions.*words).words;
+  return binding;
+}
+
 // With a key that may be another in another front. `also_in_fields`: but where it is a letter there.
-KeyBinding bound(const FrontKey& at, std::string_view sentence, const Action& action, bool also_in_fields = false,
+KeyBinding bound(const FrontKey& at, ActionWords words, const Action& action, bool also_in_fields = false,
                  std::string_view group = {}) {
-  return {.key = at.key,
-          .modifiers = at.modifiers,
-          .shown = at.shown,
-          .sentence = sentence,
-          .action = action,
-          .also_in_fields = also_in_fields && !types_a_sign(at.key, at.modifiers),
-          .group = group};
+  return called(words, {.key = at.key,
+                        .modifiers = at.modifiers,
+                        .shown = at.shown,
+                        .sentence = {},
+                        .action = action,
+                        .also_in_fields = also_in_fields && !types_a_sign(at.key, at.modifiers),
+                        .group = group});
 }
 
 constexpr int none = 0;
@@ -77,6 +84,7 @@ constexpr std::array gestures{
 }  // namespace
 
 std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
+  using Name = StageLanguage::Actions;
   // clang-format off
   std::vector bindings{
     KeyBinding{key::left, none, "Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", move_hand(-1, 0, 10), true, false, "Move and change"},
@@ -91,13 +99,13 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::right, ctrl, "", "", move_hand(1, 0, 100), true},
     KeyBinding{key::up, ctrl, "", "", move_hand(0, 1, 100), true},
     KeyBinding{key::down, ctrl, "", "", move_hand(0, -1, 100), true},
-    KeyBinding{key::left_bracket, none, "[  ]", "Turn the actuated direction 5° (Shift: 1°)", TurnMotorBy{5}, true},
-    KeyBinding{key::right_bracket, none, "", "", TurnMotorBy{-5}, true},
+    called(&Name::turn_motor_left, {key::left_bracket, none, "[  ]", "Turn the actuated direction 5° (Shift: 1°)", TurnMotorBy{5}, true}),
+    called(&Name::turn_motor_right, {key::right_bracket, none, "", "", TurnMotorBy{-5}, true}),
     KeyBinding{key::left_bracket, shift, "", "", TurnMotorBy{1}, true},
     KeyBinding{key::right_bracket, shift, "", "", TurnMotorBy{-1}, true},
-    KeyBinding{key::w, none, "W", "Turn the wall to where the naïve drift is largest", TurnWallToLargestDrift{}},
-    KeyBinding{key::minus, none, "−  +", "Lower or raise the ratio ρ by 5 % (Alt: 1 %)", turn_ratio_by(-50), true},
-    KeyBinding{key::equal, none, "", "", turn_ratio_by(50), true},
+    called(&Name::largest_drift, {key::w, none, "W", {}, TurnWallToLargestDrift{}}),
+    called(&Name::lower_ratio, {key::minus, none, "−  +", "Lower or raise the ratio ρ by 5 % (Alt: 1 %)", turn_ratio_by(-50), true}),
+    called(&Name::raise_ratio, {key::equal, none, "", "", turn_ratio_by(50), true}),
     KeyBinding{key::number_pad_subtract, none, "", "", turn_ratio_by(-50), true},
     KeyBinding{key::number_pad_add, none, "", "", turn_ratio_by(50), true},
     KeyBinding{key::minus, alt, "", "", turn_ratio_by(-10), true},
@@ -113,19 +121,19 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::digit_2, shift, "", "", ChooseStrategy{StrategyId::naive, true}},
     KeyBinding{key::digit_3, shift, "", "", ChooseStrategy{StrategyId::anisotropic, true}},
 
-    KeyBinding{key::space, none, "Space", "Pause / resume; also stops looking back", TogglePause{}, false, false, "Time"},
-    KeyBinding{key::comma, none, ",", "Pause and step back one tick, up to a minute", StepBack{}, true},
-    KeyBinding{key::period, none, ".", "Pause and step forward one tick", StepOn{}, true},
-    KeyBinding{key::r, none, "R", "Reset the motion", Restart{}},
-    KeyBinding{key::r, alt, "Alt+R", "Reset the motion and all settings", Restart{true}},
+    called(&Name::pause, {key::space, none, "Space", {}, TogglePause{}, false, false, "Time"}),
+    called(&Name::step_back, {key::comma, none, ",", {}, StepBack{}, true}),
+    called(&Name::step_on, {key::period, none, ".", {}, StepOn{}, true}),
+    called(&Name::restart, {key::r, none, "R", {}, Restart{}}),
+    called(&Name::restart_with_settings, {key::r, alt, "Alt+R", {}, Restart{true}}),
 
-    KeyBinding{key::digit_0, none, "0", "Compare: overlay, side by side, active only", NextCompareMode{}, false, false, "View"},
-    KeyBinding{key::g, none, "G", "Ghost force on / off (hatched end of the arrow)", ToggleViewOption{&ViewOptions::ghost_forces}},
-    KeyBinding{key::p, none, "P", "Prediction rings on / off", ToggleViewOption{&ViewOptions::predictions}},
-    KeyBinding{key::t, none, "T", "Trails on / off", ToggleViewOption{&ViewOptions::trails}},
-    KeyBinding{key::f, none, "F", "Fit everything into the view", FitView{}},
-    KeyBinding{key::z, none, "Z", keys.zoom_sentence, ZoomView{1.25}, true},
-    KeyBinding{key::z, shift, "", "", ZoomView{0.8}, true},
+    called(&Name::next_comparison, {key::digit_0, none, "0", {}, NextCompareMode{}, false, false, "View"}),
+    called(&Name::ghost_forces, {key::g, none, "G", {}, ToggleViewOption{&ViewOptions::ghost_forces}}),
+    called(&Name::predictions, {key::p, none, "P", {}, ToggleViewOption{&ViewOptions::predictions}}),
+    called(&Name::trails, {key::t, none, "T", {}, ToggleViewOption{&ViewOptions::trails}}),
+    called(&Name::fit_view, {key::f, none, "F", {}, FitView{}}),
+    called(&Name::zoom_in, {key::z, none, "Z", keys.zoom_sentence, ZoomView{1.25}, true}),
+    called(&Name::zoom_out, {key::z, shift, "", "", ZoomView{0.8}, true}),
     KeyBinding{key::left, keys.move_view_modifiers, "", "", move_picture(-1, 0), true},
     KeyBinding{key::right, keys.move_view_modifiers, "", "", move_picture(1, 0), true},
     KeyBinding{key::up, keys.move_view_modifiers, "", "", move_picture(0, 1), true},
@@ -139,41 +147,42 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     KeyBinding{key::s, none, "S", "Measure my hand: how stiff it is", MeasureHand{}},
     KeyBinding{key::enter, none, "Enter", "Next step of a lesson or of Why?; answer a guess", Confirm{}},
     KeyBinding{key::number_pad_enter, none, "", "", Confirm{}},
-    bound(keys.lessons, "Lessons: choose one", ToggleDialog{Dialog::lessons}, true),
-    KeyBinding{key::page_down, none, "PgDn PgUp", "Lesson or talk: next / previous step", NextStep{}},
-    KeyBinding{key::page_up, none, "", "", PreviousStep{}},
-    KeyBinding{key::b, none, "B", "Blank the stage, or show it again", ToggleBlank{}},
+    bound(keys.lessons, &Name::lessons, ToggleDialog{Dialog::lessons}, true),
+    called(&Name::next_step, {key::page_down, none, "PgDn PgUp", "Lesson or talk: next / previous step", NextStep{}}),
+    called(&Name::previous_step, {key::page_up, none, "", "", PreviousStep{}}),
+    called(&Name::blank, {key::b, none, "B", {}, ToggleBlank{}}),
 
-    bound(keys.device_status, "Device status, and what to do next", ToggleDialog{Dialog::doctor}, true, "Device"),
+    bound(keys.device_status, &Name::device_status, ToggleDialog{Dialog::doctor}, true, "Device"),
     KeyBinding{key::escape, none, "Esc", "Motors off; close what is open (never quits)", Escape{}, false, true},
 
-    KeyBinding{key::z, ctrl, "Ctrl+Z", "Undo the last change", Undo{}, true, false, "Undo, files, clipboard"},
-    KeyBinding{key::z, ctrl | shift, "Ctrl+Shift+Z", "Redo; also Ctrl+Y", Redo{}, true},
+    called(&Name::undo, {key::z, ctrl, "Ctrl+Z", {}, Undo{}, true, false, "Undo, files, clipboard"}),
+    called(&Name::redo, {key::z, ctrl | shift, "Ctrl+Shift+Z", "Redo; also Ctrl+Y", Redo{}, true}),
     KeyBinding{key::y, ctrl, "", "", Redo{}, true},
-    KeyBinding{key::c, ctrl, "Ctrl+C", "Copy what is shown as a command, to hand it on", CopySetUp{}},
-    KeyBinding{key::v, ctrl, "Ctrl+V", "Paste such a command: show what it describes", PasteSetUp{}},
-    bound(keys.link, "A link to what is shown, for others", ShowLink{}),
-    KeyBinding{key::o, ctrl, "Ctrl+O", "Open a scene (or drop a file on the window)", ToggleDialog{Dialog::open_scene}, false, true},
-    KeyBinding{key::s, ctrl, "Ctrl+S", "Save the scene with its current settings", ToggleDialog{Dialog::save_scene}, false, true},
-    bound(keys.save_picture, keys.save_picture_sentence, ToggleDialog{Dialog::save_picture}, true),
-    bound(keys.save_clip, "Save the last seconds of the stage as a clip", ToggleDialog{Dialog::save_clip}, true),
-    bound(keys.copy_picture, "Copy a picture to the clipboard", CopyPicture{}),
-    bound(keys.copy_values, "Copy the live values to the clipboard", CopyValues{}, true),
+    called(&Name::copy_set_up, {key::c, ctrl, "Ctrl+C", {}, CopySetUp{}}),
+    called(&Name::paste_set_up, {key::v, ctrl, "Ctrl+V", {}, PasteSetUp{}}),
+    bound(keys.link, &Name::link, ShowLink{}),
+    called(&Name::open_scene, {key::o, ctrl, "Ctrl+O", {}, ToggleDialog{Dialog::open_scene}, false, true}),
+    called(&Name::save_scene, {key::s, ctrl, "Ctrl+S", {}, ToggleDialog{Dialog::save_scene}, false, true}),
+    bound(keys.save_picture, &Name::save_picture, ToggleDialog{Dialog::save_picture}, true),
+    bound(keys.save_clip, &Name::save_clip, ToggleDialog{Dialog::save_clip}, true),
+    bound(keys.copy_picture, &Name::copy_picture, CopyPicture{}),
+    bound(keys.copy_values, &Name::copy_values, CopyValues{}, true),
 
-    bound(keys.help, "This help", ToggleDialog{Dialog::help}, true, "Window"),
-    bound(keys.plots, "Plots over time, wall angle and ratio ρ", TogglePlots{}, true),
-    KeyBinding{key::f4, none, "F4", "Switch between stage and workbench", SwitchFace{}, false, true},
-    bound(keys.full_screen, "Full screen on / off", ToggleFullScreen{}, true),
-    bound(keys.next_theme, "Next theme: light, dark, projector", NextTheme{}),
-    for_own_window({key::equal, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", ChangeTextSize{1}, true}),
+    bound(keys.help, &Name::help, ToggleDialog{Dialog::help}, true, "Window"),
+    KeyBinding{key::p, ctrl, "Ctrl+P", "Every action by its words: type, then Enter", ToggleDialog{Dialog::palette}, false, true},
+    bound(keys.plots, &Name::plots, TogglePlots{}, true),
+    called(&Name::switch_face, {key::f4, none, "F4", {}, SwitchFace{}, false, true}),
+    bound(keys.full_screen, &Name::full_screen, ToggleFullScreen{}, true),
+    bound(keys.next_theme, &Name::next_theme, NextTheme{}),
+    for_own_window(called(&Name::larger_text, {key::equal, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", ChangeTextSize{1}, true})),
     for_own_window({key::equal, ctrl | shift, "", "", ChangeTextSize{1}, true}),
     for_own_window({key::number_pad_add, ctrl, "", "", ChangeTextSize{1}, true}),
-    for_own_window({key::minus, ctrl, "", "", ChangeTextSize{-1}, true}),
+    for_own_window(called(&Name::smaller_text, {key::minus, ctrl, "", "", ChangeTextSize{-1}, true})),
     for_own_window({key::number_pad_subtract, ctrl, "", "", ChangeTextSize{-1}, true}),
-    for_own_window({key::digit_0, ctrl, "", "", UseUsualTextSize{}}),
+    for_own_window(called(&Name::usual_text, {key::digit_0, ctrl, "", "", UseUsualTextSize{}})),
     KeyBinding{key::tab, none, "Tab", "Next control (Shift: previous)", std::nullopt, true},
     KeyBinding{key::tab, shift, "", "", std::nullopt, true},
-    for_own_window({key::q, ctrl, "Ctrl+Q", "Quit", Quit{}, false, true}),
+    for_own_window(called(&Name::quit, {key::q, ctrl, "Ctrl+Q", {}, Quit{}, false, true})),
     for_own_window({key::q, ctrl | alt | shift, "", "", Quit{.ends_visit = true}, false, true}),  // told on the terminal
   };
   // clang-format on
@@ -181,6 +190,24 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     return binding.key == 0 || (binding.for_own_window && !keys.has_own_window);
   });
   return bindings;
+}
+
+std::string chord_of(const KeyBinding& binding) {
+  struct KeyName {
+    int key;
+    std::string_view name;
+  };
+  constexpr std::array names{KeyName{key::space, "Space"},  KeyName{key::minus, "−"},       KeyName{key::equal, "+"},
+                             KeyName{key::enter, "Enter"},  KeyName{key::escape, "Esc"},    KeyName{key::tab, "Tab"},
+                             KeyName{key::page_up, "PgUp"}, KeyName{key::page_down, "PgDn"}};
+  std::string chord;
+  if ((binding.modifiers & ctrl) != 0) chord += "Ctrl+";
+  if ((binding.modifiers & alt) != 0) chord += "Alt+";
+  if ((binding.modifiers & shift) != 0) chord += "Shift+";
+  const auto named = std::ranges::find(names, binding.key, &KeyName::key);
+  if (named != names.end()) return chord.append(named->name);
+  if (binding.key >= key::f1 && binding.key <= key::f12) return chord + 'F' + std::to_string(binding.key - key::f1 + 1);
+  return chord + static_cast<char>(binding.key);
 }
 
 std::span<const KeyBinding> key_table() {

@@ -4,11 +4,13 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/state/action.h"
 #include "app/state/front_keys.h"
+#include "app/state/stage_language.h"
 
 namespace ghostforce {
 
@@ -20,6 +22,9 @@ struct KeyPress {
   bool is_repeat = false;
 };
 
+// What an action is called, in each language.
+using ActionWords = StageLanguage::Action StageLanguage::Actions::*;
+
 struct KeyBinding {
   int key;                       // of keys.h
   int modifiers;                 // of keys.h
@@ -30,7 +35,11 @@ struct KeyBinding {
   bool also_in_fields = false;   // even while the person types into a field, where most keys are letters
   std::string_view group{};      // of this row and those that follow; empty: that of the row above
   bool for_own_window = false;   // not in a page
+  ActionWords named = nullptr;   // as the palette has it; null: it is not there, or under other words
 };
+
+// "Ctrl+Shift+Z": of that row alone.
+std::string chord_of(const KeyBinding& binding);
 
 // Of this front.
 std::span<const KeyBinding> key_table();

@@ -8,21 +8,17 @@ namespace {
 
 using Permission = std::optional<Refusal>;
 
-constexpr Refusal not_for_visitors{"Visitors have no way to that."};
-constexpr Refusal left_to_lesson{"The lesson does that itself. Leave it first."};
-constexpr Refusal not_in_this_step{"This step of the lesson leaves that as it is."};
-constexpr Refusal nothing_is_asked{"Nothing is asked that this could answer."};
-constexpr Refusal not_by_pointer{"The goal follows another hand."};
-constexpr Refusal map_is_gone{"The landscape is not shown, or has no such handle."};
-constexpr Refusal not_measured{"The hand has not been measured yet."};
-constexpr Refusal not_seen{"That is seen on the workbench alone."};
-constexpr Refusal view_of_its_own{"This picture always shows all that there is."};
-constexpr Refusal measurement_sets_it{"The measurement has changed that. Finish or cancel it first."};
-constexpr Refusal curves_are_hidden{
-    "These curves cannot be saved while the hand is measured: they would show the answer. Finish the measurement and "
-    "reveal the hand first.",
-    true, true};
-constexpr Refusal measures_otherwise{"First finish or cancel “Measure the hand” on the workbench.", true};
+using Why = StageLanguage::Refusals;
+// Of what has no row in the palette, and of what visitors have no way to: nobody reads it.
+constexpr Refusal has_no_meaning{&Why::has_no_meaning};
+constexpr Refusal left_to_lesson{&Why::left_to_lesson};
+constexpr Refusal not_in_this_step{&Why::not_in_this_step};
+constexpr Refusal not_measured{&Why::not_measured};
+constexpr Refusal only_on_workbench{&Why::only_on_workbench};
+constexpr Refusal view_of_its_own{&Why::view_of_its_own};
+constexpr Refusal measurement_sets_it{&Why::measurement_sets_it};
+constexpr Refusal curves_are_hidden{&Why::curves_are_hidden, true, true};
+constexpr Refusal measures_otherwise{&Why::measures_otherwise, true};
 
 // A visitor has no way to files, settings or the window.
 using ForVisitors =
@@ -31,9 +27,9 @@ using ForVisitors =
                  PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
                  StopMotors, AcknowledgeOff, Escape, Quit>;
 
-// A lesson tells its own time, says which mode is on, and leaves nothing to undo.
-using LeftToLesson =
-    std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, Undo, Redo>;
+// A lesson tells its own time, says which mode is on and what moves the hand, and leaves nothing to undo.
+using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode,
+                                  ChooseInput, BeginCircleTest, EndCircleTest, StartMeasuring, Undo, Redo>;
 
 Permission refuse_unless(bool is_allowed, const Refusal& refusal) {
   return is_allowed ? std::nullopt : Permission(refusal);
@@ -61,17 +57,17 @@ Permission permit_kind(const Session& /*session*/, const A& /*action*/) {
 
 Permission permit_kind(const Session& session, const MoveHandBy&) {
   if (session.stage.guess && session.stage.guess_is_open) return std::nullopt;
-  if (is_allowed(session, LessonControl::hand)) return refuse_unless(session.pointer_moves_goal, not_by_pointer);
+  if (is_allowed(session, LessonControl::hand)) return refuse_unless(session.pointer_moves_goal, has_no_meaning);
   return permit_slider(session);
 }
 
 Permission permit_kind(const Session& session, const MoveHandTo&) {
   if (!is_allowed(session, LessonControl::hand)) return not_in_this_step;
-  return refuse_unless(session.pointer_moves_goal, not_by_pointer);
+  return refuse_unless(session.pointer_moves_goal, has_no_meaning);
 }
 
 Permission permit_kind(const Session& session, const MoveGuessTo&) {
-  return refuse_unless(session.stage.guess && session.stage.guess_is_open, nothing_is_asked);
+  return refuse_unless(session.stage.guess && session.stage.guess_is_open, has_no_meaning);
 }
 
 Permission permit_kind(const Session& session, const TurnMotorTo&) {
@@ -84,13 +80,13 @@ Permission permit_kind(const Session& session, const TurnWallTo&) {
 
 // A place on the map is a wall and a stiffness.
 Permission permit_kind(const Session& session, const GoToLandscapePoint&) {
-  if (session.stage.mode != StageMode::landscape) return map_is_gone;
+  if (session.stage.mode != StageMode::landscape) return has_no_meaning;
   return permit_control(session, LessonControl::wall);
 }
 
 // With every motor there is no dial.
 Permission permit_kind(const Session& session, const TurnLandscapeDial&) {
-  if (session.stage.mode != StageMode::landscape || session.settings.active == StrategyId::full) return map_is_gone;
+  if (session.stage.mode != StageMode::landscape || session.settings.active == StrategyId::full) return has_no_meaning;
   return permit_control(session, LessonControl::strategies);
 }
 
@@ -120,7 +116,7 @@ Permission permit_kind(const Session& session, const ChooseByNumber&) {
 }
 
 Permission permit_kind(const Session& session, const AnswerLesson&) {
-  return refuse_unless(has_open_question(session, LessonQuestion::choose), nothing_is_asked);
+  return refuse_unless(has_open_question(session, LessonQuestion::choose), has_no_meaning);
 }
 
 Permission permit_kind(const Session& session, const ToggleMode& action) {
@@ -133,12 +129,24 @@ Permission permit_kind(const Session& session, const MeasureHand&) {
   return refuse_unless(session.stage.mode == StageMode::measure, not_in_this_step);
 }
 
+Permission permit_on_workbench(const Session& session) {
+  return refuse_unless(session.face == Face::workbench, only_on_workbench);
+}
+
 Permission permit_kind(const Session& session, const NextCompareMode&) {
-  return refuse_unless(session.face == Face::workbench, not_seen);
+  return permit_on_workbench(session);
 }
 
 Permission permit_kind(const Session& session, const ToggleViewOption&) {
-  return refuse_unless(session.face == Face::workbench, not_seen);
+  return permit_on_workbench(session);
+}
+
+Permission permit_kind(const Session& session, const ChangeViewOptions&) {
+  return permit_on_workbench(session);
+}
+
+Permission permit_kind(const Session& session, const StartMeasuring&) {
+  return permit_on_workbench(session);
 }
 
 Permission permit_view(const Session& session) {
@@ -177,7 +185,7 @@ Permission permit_kind(const Session& session, const BelieveMeasurement&) {
 }
 
 Permission permit_kind(const Session& session, const Quit& action) {
-  return refuse_unless(!session.visit || action.ends_visit, not_for_visitors);
+  return refuse_unless(!session.visit || action.ends_visit, has_no_meaning);
 }
 
 }  // namespace
@@ -185,7 +193,7 @@ Permission permit_kind(const Session& session, const Quit& action) {
 std::optional<Refusal> permit(const Session& session, const Action& action) {
   return std::visit(
       [&]<typename A>(const A& wanted) -> Permission {
-        if (session.visit && !is_one_of<A, ForVisitors>) return not_for_visitors;
+        if (session.visit && !is_one_of<A, ForVisitors>) return has_no_meaning;
         if (session.lesson && is_one_of<A, LeftToLesson>) return left_to_lesson;
         return permit_kind(session, wanted);
       },

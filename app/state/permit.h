@@ -3,15 +3,16 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "app/state/action.h"
+#include "app/state/stage_language.h"
 
 namespace ghostforce {
 
-// Why not, as a sentence for the person.
+// Why not: a sentence for the person, in each language.
+using RefusalWords = std::string_view StageLanguage::Refusals::*;
 struct Refusal {
-  std::string_view words;
+  RefusalWords words;
   bool is_told = false;     // on the screen; else nothing happens, as where a key has no meaning
   bool is_problem = false;  // which stays there until it is dismissed
 };

@@ -62,7 +62,8 @@ enum class Dialog : std::uint8_t {
   save_picture,
   save_clip,
   save_plots,
-  reset_preferences
+  reset_preferences,
+  palette
 };
 
 // What stands in the fields of the dialog that is open.
@@ -76,6 +77,8 @@ struct Form {
   double clip_end_s = 0.0;        // what was shown when the form was opened, model time
   std::size_t marked_scene = 0;   // of those that the program brings along, in their order
   std::size_t marked_lesson = 0;  // the same
+  std::string sought;             // what was typed into the palette,
+  std::size_t marked_action = 0;  // and of what was found, the one that Enter does
   bool asks_for_reset = false;    // of the progress in lessons: the question is on the screen
   std::string problem;            // why what was asked for last could not be done; empty: it could
   std::string suggestion;         // a path that may have been meant; empty: none is known

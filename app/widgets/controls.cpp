@@ -133,6 +133,14 @@ bool text_field(const char* id, const char* hint, std::string& text, ImGuiInputT
                                   grow, &text);
 }
 
+bool search_field(const char* id, const char* hint, std::string& text) {
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigInputTextEnterKeepActive = true;
+  const bool entered = text_field(id, hint, text, ImGuiInputTextFlags_CallbackHistory);
+  io.ConfigInputTextEnterKeepActive = false;
+  return entered;
+}
+
 namespace {
 
 std::string number_in(const char* format, double value) {

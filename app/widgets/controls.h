@@ -37,6 +37,9 @@ void same_line_if_room(float width);
 bool text_field(const char* id, const char* hint, std::string& text,
                 ImGuiInputTextFlags flags = ImGuiInputTextFlags_AutoSelectAll);
 
+// The same, but it keeps the keyboard when Enter is pressed, and the arrows up and down are for the list beside it.
+bool search_field(const char* id, const char* hint, std::string& text);
+
 struct SliderLimits {
   double least;
   double greatest;

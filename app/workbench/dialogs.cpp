@@ -27,11 +27,18 @@ constexpr std::array dialogs{
     Entry{Dialog::save_clip, "Save a clip", draw_save_clip},
     Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
     Entry{Dialog::reset_preferences, "Reset all preferences?", draw_reset_preferences},
+    Entry{Dialog::palette, "###palette", draw_palette},
 };
 
 constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse |
                                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                            ImGuiWindowFlags_AlwaysAutoResize;
+
+// Of what speaks the stage's language; the others are called as their entry says.
+std::string_view title_in(const StageLanguage& language, Dialog dialog) {
+  if (dialog == Dialog::lessons) return language.picker.title;
+  return dialog == Dialog::palette ? language.palette.title : std::string_view();
+}
 
 // The dialog itself, or the part of it that scrolls; null: all of it is in sight.
 ImGuiWindow* scrolling_window_of(Dialog dialog) {
@@ -89,9 +96,7 @@ void draw_dialog(const PanelContext& context) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
   bool is_open = true;
-  const StageLanguage& language = stage_language(session.language);
-  const bool is_of_stage = entry->id == Dialog::lessons;
-  const std::string title = (is_of_stage ? std::string(language.picker.title) : "") + entry->title;
+  const std::string title = std::string(title_in(stage_language(session.language), entry->id)) + entry->title;
   ImGui::Begin(title.c_str(), &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);

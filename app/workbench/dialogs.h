@@ -38,5 +38,6 @@ void draw_save_picture(const PanelContext& context);
 void draw_save_clip(const PanelContext& context);
 void draw_save_plots(const PanelContext& context);
 void draw_reset_preferences(const PanelContext& context);
+void draw_palette(const PanelContext& context);
 
 }  // namespace ghostforce

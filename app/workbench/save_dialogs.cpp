@@ -1,5 +1,5 @@
-// The dialogs that end with a file: a picture of the screen (Ctrl+P), the last seconds of the stage (Alt+P), what the
-// plots show, the scene (Ctrl+S).
+// The dialogs that end with a file: a picture of the screen, the last seconds of the stage, what the plots show,
+// the scene.
 #include <array>
 #include <span>
 #include <string>

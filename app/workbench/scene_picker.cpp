@@ -40,15 +40,6 @@ bool draw_scene_card(const PanelContext& context, std::size_t number, ImVec2 siz
   });
 }
 
-// The field keeps the keyboard when Enter is pressed, and the arrows up and down are not taken for a way out of it.
-bool path_field(std::string& path) {
-  ImGuiIO& io = ImGui::GetIO();
-  io.ConfigInputTextEnterKeepActive = true;
-  const bool entered = text_field("##path", "my_scene.toml", path, ImGuiInputTextFlags_CallbackHistory);
-  io.ConfigInputTextEnterKeepActive = false;
-  return entered;
-}
-
 // By the arrows; true when it has moved.
 bool move_mark(Form& form, int columns) {
   const int count = static_cast<int>(shipped_scenes().size());
@@ -129,7 +120,7 @@ void draw_open_scene(const PanelContext& context) {
   if (offers_file_chooser()) field_width -= button_width(choose_words) + style.ItemSpacing.x;
   ImGui::SetNextItemWidth(field_width);
   if (is_new) ImGui::SetKeyboardFocusHere();
-  const bool entered = path_field(form.path);
+  const bool entered = search_field("##path", "my_scene.toml", form.path);
   ImGui::SameLine();
   const bool pressed = ImGui::Button(open_words);
   ImGui::SameLine();

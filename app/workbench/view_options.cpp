@@ -69,7 +69,7 @@ void draw_view_options(const PanelContext& context) {
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice(context, "arrows", &Appearance::arrow_scale, Appearance::least_arrow_scale,
                     Appearance::greatest_arrow_scale);
-  row("Language", "The language of the stage and of lessons. The workbench is in English.");
+  row("Language", "The language of the stage, of lessons and of Ctrl+P. The workbench is in English.");
   draw_language_choice(context);
   if (session.offers_speech) {
     row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");

@@ -63,7 +63,8 @@ class Keys(PageTest):
 
     def test_help_and_lessons_open_and_close(self):
         browser = self.open()
-        for key, dialog in ((HELP, "help"), (LESSONS, "lessons"), (DEVICE_STATUS, "device"), ("Ctrl+O", "open")):
+        others = (("Ctrl+O", "open"), ("Ctrl+P", "palette"))
+        for key, dialog in ((HELP, "help"), (LESSONS, "lessons"), (DEVICE_STATUS, "device"), *others):
             browser.press(key)
             browser.wait_until(dialog=dialog)
             browser.press("Escape")

@@ -119,7 +119,7 @@ TEST_F(PanelText, ANoticeIsReadInTheLowestWindowToo) {
 
 TEST_F(PanelText, IsAllThereInDialogs) {
   for (const Dialog dialog : {Dialog::help, Dialog::doctor, Dialog::open_scene, Dialog::save_scene,
-                              Dialog::save_picture, Dialog::save_plots, Dialog::reset_preferences}) {
+                              Dialog::save_picture, Dialog::save_plots, Dialog::reset_preferences, Dialog::palette}) {
     open({}, "wall45", 1024, 640);
     session().dialog = dialog;
     expect_no_faults_at_all_scales(fmt::format("dialog {}", static_cast<int>(dialog)));

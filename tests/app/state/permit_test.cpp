@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/files/scene_file.h"
@@ -52,6 +54,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       StepBack{},
                                       LeaveLesson{},
                                       OpenDialog{Dialog::help},
+                                      ToggleDialog{Dialog::palette},
                                       ToggleBlank{}};
   for (const Action& action : forbidden) EXPECT_TRUE(may(action)) << action.index();
   begin_visit(session, shipped_lessons());
@@ -182,13 +185,34 @@ TEST_F(PermitTest, OpeningADialogTwiceLeavesItOpen) {
   EXPECT_EQ(session.dialog, Dialog::none);
 }
 
-TEST_F(PermitTest, EachRefusalSaysWhy) {
-  begin_visit(session, shipped_lessons());
-  for (const KeyBinding& binding : key_table()) {
-    if (!binding.action) continue;
-    const std::optional<Refusal> refusal = permit(session, *binding.action);
-    EXPECT_TRUE(!refusal || refusal->words.ends_with('.')) << binding.shown;
+TEST_F(PermitTest, EachRefusalIsASentenceInEachLanguage) {
+  for (const StageLanguage* const language : stage_languages) {
+    std::set<std::string_view> seen;
+    for (const std::string_view words : words_of(language->refusals)) {
+      EXPECT_TRUE(words.ends_with('.')) << words;
+      EXPECT_TRUE(seen.insert(words).second) << words;
+    }
   }
+  start_measuring(session);
+  session.language = "es";
+  apply(session, ToggleMode{StageMode::measure});
+  EXPECT_EQ(told(), spanish_stage.refusals.measures_otherwise);
+}
+
+// The palette has what otherwise is on the workbench alone, where no lesson leads.
+TEST_F(PermitTest, ALessonKeepsItsHand) {
+  const std::vector<Action> kept{ChooseInput{"circle"}, BeginCircleTest{}, EndCircleTest{}, StartMeasuring{}};
+  for (const Action& action : kept) EXPECT_TRUE(may(action)) << action.index();
+  begin_lesson(session, shipped_lessons().front());
+  for (const Action& action : kept) EXPECT_FALSE(may(action)) << action.index();
+}
+
+TEST_F(PermitTest, WhatTheStageDoesNotShowIsLeftToTheWorkbench) {
+  const std::vector<Action> unseen{NextCompareMode{}, ToggleViewOption{&ViewOptions::trails}, ChangeViewOptions{},
+                                   StartMeasuring{}};
+  for (const Action& action : unseen) EXPECT_TRUE(may(action)) << action.index();
+  apply(session, ShowFace{Face::stage});
+  for (const Action& action : unseen) EXPECT_FALSE(may(action)) << action.index();
 }
 
 }  // namespace

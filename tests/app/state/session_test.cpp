@@ -265,7 +265,7 @@ TEST_F(SessionTest, ThePictureDialogKnowsItsFormatsInAnyCase) {
   for (const auto& [typed, written] :
        {std::pair{"a.PNG", "a.PNG"}, std::pair{"b", "b.png"}, std::pair{"c.jpg", "c.jpg.png"},
         std::pair{"d.Svg", "d.Svg"}, std::pair{"e.pdf", "e.pdf"}}) {
-    press(key::p, modifier::control);
+    press(key::s, modifier::control | modifier::shift);
     session().form.density = 1;
     frames(2);
     type(folder / typed);  // in place of the proposal, which is selected

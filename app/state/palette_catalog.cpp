@@ -1,0 +1,241 @@
+#include "app/state/palette_catalog.h"
+
+#include <array>
+#include <concepts>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "app/files/scene_file.h"
+#include "app/state/front_keys.h"
+#include "app/state/key_bindings.h"
+#include "app/state/lesson_file.h"
+#include "app/state/lesson_shelf.h"
+#include "app/state/permit.h"
+#include "app/state/stage_buttons.h"
+#include "app/state/stage_mode.h"
+
+namespace ghostforce {
+namespace {
+
+using Name = StageLanguage::Actions;
+
+// --- Why not: what permit.h does not know, because it is the loop's or would change nothing ---
+
+struct Circumstances {
+  const Session& session;
+  const LoopReading& loop;
+  const StageLanguage& language;
+};
+
+std::string refuse_unless(bool is_allowed, std::string_view words) {
+  return is_allowed ? std::string() : std::string(words);
+}
+
+template <typename A>
+std::string why_not(const Circumstances& /*now*/, const A& /*action*/) {
+  return {};
+}
+
+// What the motors' button does is allowed, and nothing else.
+template <typename A>
+bool is_on_motor_button(const MotorReport& motors) {
+  const std::optional<Action> action = action_of_motor_button(motors);
+  return action && std::holds_alternative<A>(*action);
+}
+
+std::string why_not(const Circumstances& now, const ArmMotors&) {
+  const MotorReport& motors = now.loop.motors;
+  if (is_on_motor_button<ArmMotors>(motors)) return {};
+  const std::string_view status_key = front_keys().device_status.shown;
+  if (!motors.has_motors) return std::string(now.language.refusals.no_motors);
+  if (motors.may_still_push) return filled(now.language.warnings.motors_may_still_push, status_key);
+  if (motors.state != SafetyState::off) return std::string(now.language.refusals.motors_are_on);
+  if (motors.reason != OffReason::none) return std::string(now.language.refusals.off_not_read);
+  return filled(now.language.warnings.device_not_ready, status_key);
+}
+
+std::string why_not(const Circumstances& now, const AcknowledgeOff&) {
+  return refuse_unless(is_on_motor_button<AcknowledgeOff>(now.loop.motors), now.language.refusals.nothing_to_dismiss);
+}
+
+std::string why_not(const Circumstances& now, const Undo&) {
+  return refuse_unless(!now.session.undo_offer.undo.empty(), now.language.refusals.nothing_to_undo);
+}
+
+std::string why_not(const Circumstances& now, const Redo&) {
+  return refuse_unless(!now.session.undo_offer.redo.empty(), now.language.refusals.nothing_to_redo);
+}
+
+std::string why_not(const Circumstances& now, const StartRecording&) {
+  return refuse_unless(!now.loop.recording.is_on, now.language.refusals.is_so_already);
+}
+
+std::string why_not(const Circumstances& now, const StopRecording&) {
+  return refuse_unless(now.loop.recording.is_on, now.language.refusals.is_not_on);
+}
+
+std::string why_not(const Circumstances& now, const BeginCircleTest&) {
+  return refuse_unless(!now.session.circle_test.is_on, now.language.refusals.is_so_already);
+}
+
+std::string why_not(const Circumstances& now, const EndCircleTest&) {
+  return refuse_unless(now.session.circle_test.is_on, now.language.refusals.is_not_on);
+}
+
+std::string why_not(const Circumstances& now, const StartMeasuring&) {
+  const bool is_on = now.session.measurement.stage != UserMeasurement::Stage::off;
+  return refuse_unless(!is_on, now.language.refusals.is_so_already);
+}
+
+std::string why_not(const Circumstances& now, const CancelMeasuring&) {
+  const bool is_on = now.session.measurement.stage != UserMeasurement::Stage::off;
+  return refuse_unless(is_on, now.language.refusals.is_not_on);
+}
+
+std::string why_not(const Circumstances& now, const LeaveLesson&) {
+  return refuse_unless(now.session.lesson.has_value(), now.language.refusals.is_not_on);
+}
+
+std::string why_not(const Circumstances& now, const OpenDialog& action) {
+  const bool has_curves = action.dialog != Dialog::save_plots || now.session.plots.is_open;
+  return refuse_unless(has_curves, now.language.refusals.plots_are_closed);
+}
+
+std::string why_not(const Circumstances& now, const ChooseInput& action) {
+  return refuse_unless(action.name != now.session.input, now.language.refusals.is_so_already);
+}
+
+template <auto Session::*member>
+requires std::equality_comparable<decltype(Change<member>::after)> std::string why_not(const Circumstances& now,
+                                                                                       const Change<member>& action) {
+  return refuse_unless(!(now.session.*member == action.after), now.language.refusals.is_so_already);
+}
+
+std::string refusal_of(const Circumstances& now, const Action& action) {
+  if (const auto refusal = permit(now.session, action)) return std::string(now.language.refusals.*refusal->words);
+  return std::visit([&](const auto& wanted) { return why_not(now, wanted); }, action);
+}
+
+// --- The entries ---
+
+struct Entries {
+  Circumstances now;
+  std::vector<PaletteEntry> all{};
+
+  void add(std::string words, std::string_view also, Action action, std::string key = {}) {
+    std::string refusal = refusal_of(now, action);
+    all.push_back({std::move(words), also, std::move(key), std::move(action), std::move(refusal)});
+  }
+  void add(ActionWords named, Action action, std::string key = {}) {
+    const StageLanguage::Action& said = now.language.actions.*named;
+    add(std::string(said.words), said.also, std::move(action), std::move(key));
+  }
+  // One of many that differ in what they are about.
+  void add(ActionWords named, std::string_view about, Action action, std::string key = {}) {
+    const StageLanguage::Action& said = now.language.actions.*named;
+    add(filled(said.words, about), said.also, std::move(action), std::move(key));
+  }
+};
+
+// What Enter does before anything is typed turns them off.
+void add_motors(Entries& entries) {
+  entries.add(&Name::stop_motors, StopMotors{});
+  entries.add(&Name::arm_motors, ArmMotors{});
+  entries.add(&Name::dismiss_off, AcknowledgeOff{});
+}
+
+// The number that chooses it also answers lessons.
+std::string number_key_of(StrategyId id) {
+  for (const KeyBinding& binding : key_table()) {
+    const auto* const by_number = binding.action ? std::get_if<ChooseByNumber>(&*binding.action) : nullptr;
+    if (by_number != nullptr && by_number->id == id) return chord_of(binding);
+  }
+  return {};
+}
+
+void add_strategies(Entries& entries) {
+  for (const Strategy& each : strategy_catalog()) {
+    const std::string_view title = entries.now.language.strategy_buttons[index_of(each.id)].in_full;
+    entries.add(&Name::strategy, title, ChooseStrategy{each.id}, number_key_of(each.id));
+  }
+}
+
+void add_modes(Entries& entries) {
+  for (const StageModeEntry& mode : stage_mode_catalog()) {
+    const StageLanguage::Mode& said = entries.now.language.modes.*mode.words;
+    const Action action = mode.id == StageMode::measure ? Action(MeasureHand{}) : ToggleMode{mode.id};
+    entries.add(fmt::format("{}: {}", said.title, said.about), {}, action, std::string(mode.key));
+  }
+}
+
+void add_keys(Entries& entries) {
+  for (const KeyBinding& binding : key_table()) {
+    if (binding.named != nullptr) entries.add(binding.named, *binding.action, chord_of(binding));
+  }
+}
+
+void add_looks(Entries& entries) {
+  const Session& session = entries.now.session;
+  constexpr std::array themes{&Name::light_theme, &Name::dark_theme, &Name::projector_theme};
+  for (std::size_t i = 0; i < themes.size(); ++i) {
+    Appearance look = session.appearance;
+    look.theme = &theme_catalog()[i];
+    entries.add(themes[i], ChangeAppearance{look});
+  }
+  constexpr std::array comparisons{std::pair{&Name::overlay, Compare::overlay},
+                                   std::pair{&Name::side_by_side, Compare::side_by_side},
+                                   std::pair{&Name::active_only, Compare::active_only}};
+  for (const auto& [named, compare] : comparisons) {
+    ViewOptions options = session.options;
+    options.compare = compare;
+    entries.add(named, ChangeViewOptions{options});
+  }
+  for (const StageLanguage* const each : stage_languages) {
+    entries.add(&Name::language, each->name, ChooseLanguage{std::string(each->code)});
+  }
+  if (session.offers_speech) {
+    entries.add(&Name::read_aloud, SwitchSpeech{true});
+    entries.add(&Name::stop_reading_aloud, SwitchSpeech{false});
+  }
+  entries.add(&Name::reset_preferences, OpenDialog{Dialog::reset_preferences});
+}
+
+void add_experiments(Entries& entries) {
+  for (const InputChoice& input : entries.now.loop.inputs) {
+    entries.add(&Name::choose_input, input.title, ChooseInput{std::string(input.name)});
+  }
+  entries.add(&Name::begin_circle, BeginCircleTest{});
+  entries.add(&Name::end_circle, EndCircleTest{});
+  entries.add(&Name::start_measuring, StartMeasuring{});
+  entries.add(&Name::cancel_measuring, CancelMeasuring{});
+  entries.add(&Name::start_recording, StartRecording{entries.now.session.recording_path});
+  entries.add(&Name::stop_recording, StopRecording{});
+  entries.add(&Name::save_plots, OpenDialog{Dialog::save_plots});
+}
+
+void add_lessons_and_scenes(Entries& entries) {
+  entries.add(&Name::leave_lesson, LeaveLesson{});
+  for (const auto& lesson : shipped_lessons()) {
+    entries.add(&Name::lesson, words_in(*lesson, entries.now.session.language).title, OpenLesson{lesson->name});
+  }
+  for (const std::string_view name : shipped_scene_names()) {
+    entries.add(&Name::scene, name, OpenScene{std::string(name)});
+  }
+}
+
+}  // namespace
+
+std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop) {
+  Entries entries{{session, loop, stage_language(session.language)}};
+  add_motors(entries);
+  add_strategies(entries);
+  add_modes(entries);
+  add_looks(entries);
+  add_keys(entries);
+  add_experiments(entries);
+  add_lessons_and_scenes(entries);
+  return std::move(entries.all);
+}
+
+}  // namespace ghostforce
