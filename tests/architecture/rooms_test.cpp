@@ -249,11 +249,11 @@ TEST(RoomsSelfTest, RefusesWhatARoomMayNotSee) {
       {"app/state/a.cpp", "#include <GLFW/glfw3.h>"},
       {"app/widgets/a.cpp", "#include \"app/workbench/panel_catalog.h\""},
       {"app/workbench/a.cpp", "#include \"app/shell/window.h\""},
-      {"app/shell/a.cpp", "#include \"device/input/input.h\""},
+      {"app/state/a.cpp", "#include \"app/stage/stage.h\""},
       {"app/shell/a.cpp", "#include <GLFW/glfw3.h>"},
       {"app/shell/a.cpp", "#include <unistd.h>"},
       {"app/shell/a.cpp", "#include \"app/shell/desktop/glfw_window.h\""},
-      {"app/shell/a.cpp", "#include \"app/shell/desktop/glfw_window.h\""},
+      {"app/stage/a.cpp", "#include \"app/workbench/dialogs.h\""},
       {"app/shell/a.cpp", "#include \"device/falcon_usb/ftdi_link.h\""},
       {"app/shell/a.cpp", "#include \"app/cli/command.h\""},
       {"app/tools/check/a.cpp", "#include <gtest/gtest.h>"},
@@ -289,29 +289,31 @@ TEST(RoomsSelfTest, SaysWhere) {
 TEST(RoomsSelfTest, SeesWhatIsAllowedAndNotUsed) {
   const Rooms rooms{{"app/shell", {.folders = {"core", "app/picture"}, .libraries = {"fmt", "imgui"}}}};
   const Tree tree{{"app/shell/a.cpp", "#include \"core/b.h\"\n#include <imgui.h>\n"}};
-  EXPECT_EQ(listed(unused_arrows(rooms, tree)), "app/shell uses nothing of app/picture\napp/shell uses nothing of fmt\n");
+  EXPECT_EQ(listed(unused_arrows(rooms, tree)),
+            "app/shell uses nothing of app/picture\napp/shell uses nothing of fmt\n");
 }
 
 TEST(RoomsSelfTest, SeesARingOfFolders) {
   const Tree ring{
       {"app/picture/a.h", "#include \"app/picture/b.h\"\n"},
-      {"app/picture/b.h", "#include \"core/c.h\"\n#include \"app/workbench/d.h\"\n"},
-      {"app/workbench/d.h", "#include \"app/picture/e.h\"\n"},
-      {"app/picture/e.h", "\n"},
+      {"app/picture/b.h", "#include \"core/c.h\"\n#include \"app/widgets/d.h\"\n"},
+      {"app/widgets/d.h", "#include \"app/workbench/e.h\"\n"},
+      {"app/workbench/e.h", "#include \"app/picture/f.h\"\n"},
+      {"app/picture/f.h", "\n"},
       {"core/c.h", "\n"},
   };
-  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/picture -> app/workbench -> app/picture -> app/picture");
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/picture -> app/widgets -> app/workbench -> app/picture");
   EXPECT_EQ(ring_in(file_arrows(ring)), "");
 }
 
 // A folder and one inside it are two.
 TEST(RoomsSelfTest, SeesARingOfAFolderAndItsSubFolder) {
   const Tree ring{
-      {"app/shell/window.h", "#include \"app/widgets/style.h\"\n"},
-      {"app/widgets/style.h", "#include \"app/shell/fonts.h\"\n"},
-      {"app/shell/fonts.h", "\n"},
+      {"app/paint/window.h", "#include \"app/paint/vector/style.h\"\n"},
+      {"app/paint/vector/style.h", "#include \"app/paint/fonts.h\"\n"},
+      {"app/paint/fonts.h", "\n"},
   };
-  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/shell -> app/widgets -> app/shell");
+  EXPECT_EQ(ring_in(folder_arrows(ring)), "app/paint -> app/paint/vector -> app/paint");
 }
 
 TEST(RoomsSelfTest, SeesTwoHeadersThatNeedEachOther) {
