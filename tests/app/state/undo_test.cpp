@@ -34,7 +34,7 @@ class UndoTest : public testing::Test {
   }
   bool has_more() const { return history_.before() != nullptr; }
 
-  UndoState now_{.scene = std::make_shared<const Scene>(), .goal_is_chosen = true};
+  UndoState now_{.scene = std::make_shared<const Scene>(), .settings = {}, .goal_is_chosen = true};
   UndoHistory history_{now_};
 };
 
