@@ -11,8 +11,8 @@
 
 namespace ghostforce {
 
-// The entries' numbers. Each word that was typed must occur, in small or large letters, with or without accents. The best
-// match comes first, what can be done before what cannot, and then as in the catalog; without words, all.
+// The entries' numbers. Each word that was typed must occur, in small or large letters, with or without accents. The
+// best match comes first, what can be done before what cannot, and then as in the catalog; without words, all.
 std::vector<std::size_t> find_in_palette(std::span<const PaletteEntry> entries, std::string_view sought);
 
 // In small letters without accents.

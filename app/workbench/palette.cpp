@@ -1,5 +1,5 @@
-// Ctrl+P: every Action by its words. The field has the keyboard; the arrows move a mark through what is found, Enter does
-// what is marked. What cannot be done at the moment is dimmed, and says why below the list while it is marked.
+// Ctrl+P: every Action by its words. The field has the keyboard; the arrows move a mark through what is found, Enter
+// does what is marked. What cannot be done at the moment is dimmed, and says why below the list while it is marked.
 #include <algorithm>
 #include <cmath>
 #include <string>
