@@ -100,7 +100,7 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     scene_size_ = workbench_.scene_size();
   }
   if (frame.is_live) {
-    session.is_editing = ImGui::IsAnyItemActive();
+    if (const bool is_held = ImGui::IsAnyItemActive(); is_held != session.is_editing) apply(HoldControl{is_held});
     hints_.follow(session);
   }
   const double text_scale = text_scale_of(session.face, static_cast<double>(styled_scale_), theme);
