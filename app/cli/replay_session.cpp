@@ -101,7 +101,8 @@ std::function<int()> attach_replay_session(CLI::App& command, FileOptions& files
   command.footer(
       "Opens the window as it was and does again what was done in it, in its own time; at the end the picture stays\n"
       "until you close the window. No file is written, nothing is copied, and no device moves: motors are simulated.\n"
-      "Then one line says how many actions were done, refused and left out, and what stands on the screen, as a set-up\n"
+      "Then one line says how many actions were done, refused and left out, and what stands on the screen, as a "
+      "set-up\n"
       "that 'ghostforce run' takes. The same file always gives the same line, with --headless or without.\n"
       "\n"
       "Examples:\n"

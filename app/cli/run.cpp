@@ -187,8 +187,7 @@ int run(const RunOptions& options) {
   std::optional<SessionRecorder> session_recorder;
   std::function<void(double, const Action&)> watch_actions;
   if (options.record_session) {
-    session_recorder.emplace(*options.record_session,
-                             session_start(options, set_up, preferences.language, window));
+    session_recorder.emplace(*options.record_session, session_start(options, set_up, preferences.language, window));
     watch_actions = [&](double time_s, const Action& action) { session_recorder->write(time_s, action); };
   }
   Application application(
@@ -283,7 +282,8 @@ int run(const RunOptions& options) {
   reading_aloud.finish_printing();
   const bool lost_values = reading_aloud.output_problem() != 0 && reading_aloud.output_problem() != EPIPE;
   if (lost_values) say("not all values were printed: {}\n", reason_of(reading_aloud.output_problem()));
-  if (lost_values || (options.record && !problem.empty()) || !session_problem.empty()) return static_cast<int>(ExitCode::file_trouble);
+  if (lost_values || (options.record && !problem.empty()) || !session_problem.empty())
+    return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =

@@ -18,7 +18,8 @@ struct LineField {
   std::tuple<Path...> path;
 
   constexpr auto& of(auto& object) const {
-    return std::apply([&](auto... members) -> auto& { return (object .* ... .* members); }, path);
+    return std::apply(
+        [&](auto... members) -> auto& { return (object.*....*members); }, path);
   }
 };
 
@@ -59,40 +60,28 @@ inline constexpr auto action_kinds = std::tuple{
     line_kind<ChooseByNumber>("choose-by-number", line_field("id", &ChooseByNumber::id)),
     line_kind<TurnLandscapeDial>("turn-landscape-dial", line_field("cure", &TurnLandscapeDial::cure)),
     // Time
-    line_kind<TogglePause>("toggle-pause"),
-    line_kind<StepBack>("step-back"),
-    line_kind<StepOn>("step-on"),
+    line_kind<TogglePause>("toggle-pause"), line_kind<StepBack>("step-back"), line_kind<StepOn>("step-on"),
     line_kind<LookBackTo>("look-back-to", line_field("time", &LookBackTo::time_s)),
     line_kind<Restart>("restart", line_field("with-scene-settings", &Restart::with_scene_settings)),
     // Stage, lessons and the talk
-    line_kind<ShowFace>("show-face", line_field("face", &ShowFace::face)),
-    line_kind<SwitchFace>("switch-face"),
-    line_kind<ToggleMode>("toggle-mode", line_field("mode", &ToggleMode::mode)),
-    line_kind<MeasureHand>("measure-hand"),
-    line_kind<PressMeasuringButton>("press-measuring-button"),
-    line_kind<Confirm>("confirm"),
-    line_kind<GoOn>("go-on"),
-    line_kind<NextStep>("next-step"),
-    line_kind<PreviousStep>("previous-step"),
-    line_kind<ToggleBlank>("toggle-blank"),
+    line_kind<ShowFace>("show-face", line_field("face", &ShowFace::face)), line_kind<SwitchFace>("switch-face"),
+    line_kind<ToggleMode>("toggle-mode", line_field("mode", &ToggleMode::mode)), line_kind<MeasureHand>("measure-hand"),
+    line_kind<PressMeasuringButton>("press-measuring-button"), line_kind<Confirm>("confirm"), line_kind<GoOn>("go-on"),
+    line_kind<NextStep>("next-step"), line_kind<PreviousStep>("previous-step"), line_kind<ToggleBlank>("toggle-blank"),
     line_kind<AnswerLesson>("answer-lesson", line_field("answer", &AnswerLesson::answer)),
     line_kind<MoveSliderTo>("move-slider-to", line_field("value", &MoveSliderTo::value)),
     line_kind<NudgeSlider>("nudge-slider", line_field("hundredths", &NudgeSlider::hundredths)),
-    line_kind<LeaveLesson>("leave-lesson"),
-    line_kind<NextLanguage>("next-language"),
+    line_kind<LeaveLesson>("leave-lesson"), line_kind<NextLanguage>("next-language"),
     // Motors
-    line_kind<ArmMotors>("arm-motors"),
-    line_kind<StopMotors>("stop-motors"),
-    line_kind<AcknowledgeOff>("acknowledge-off"),
-    line_kind<Escape>("escape"),
+    line_kind<ArmMotors>("arm-motors"), line_kind<StopMotors>("stop-motors"),
+    line_kind<AcknowledgeOff>("acknowledge-off"), line_kind<Escape>("escape"),
     // View and window
     line_kind<NextCompareMode>("next-compare-mode"),
     line_kind<ToggleViewOption>("toggle-view-option", line_field("option", &ToggleViewOption::option)),
     line_kind<FitView>("fit-view"),
     line_kind<ZoomView>("zoom-view", line_field("factor", &ZoomView::factor), line_field("place", &ZoomView::place)),
     line_kind<MoveView>("move-view", line_field("by", &MoveView::by)),
-    line_kind<PanView>("pan-view", line_field("shares", &PanView::shares)),
-    line_kind<TogglePlots>("toggle-plots"),
+    line_kind<PanView>("pan-view", line_field("shares", &PanView::shares)), line_kind<TogglePlots>("toggle-plots"),
     line_kind<NextTheme>("next-theme"),
     line_kind<ChangeTextSize>("change-text-size", line_field("steps", &ChangeTextSize::steps)),
     line_kind<UseUsualTextSize>("use-usual-text-size"),
@@ -107,8 +96,7 @@ inline constexpr auto action_kinds = std::tuple{
                                  line_field("ghost-forces", &ChangeViewOptions::after, &ViewOptions::ghost_forces),
                                  line_field("predictions", &ChangeViewOptions::after, &ViewOptions::predictions),
                                  line_field("trails", &ChangeViewOptions::after, &ViewOptions::trails)),
-    line_kind<ChangeAppearance>("change-appearance",
-                                line_field("theme", &ChangeAppearance::after, &Appearance::theme),
+    line_kind<ChangeAppearance>("change-appearance", line_field("theme", &ChangeAppearance::after, &Appearance::theme),
                                 line_field("scale", &ChangeAppearance::after, &Appearance::scale),
                                 line_field("arrows", &ChangeAppearance::after, &Appearance::arrow_scale)),
     line_kind<ChangePlots>("change-plots", line_field("is-open", &ChangePlots::after, &PlotView::is_open),
@@ -139,25 +127,17 @@ inline constexpr auto action_kinds = std::tuple{
         line_field("k-c", &ChangeStiffnesses::after, &Stiffnesses::k_c),
         line_field("tracking-ratio", &ChangeStiffnesses::after, &Stiffnesses::chosen_tracking_ratio)),
     line_kind<Believe>("believe", line_field("source", &Believe::source), line_field("k-u", &Believe::k_u)),
-    line_kind<StartMeasuring>("start-measuring"),
-    line_kind<TakeReading>("take-reading"),
-    line_kind<CancelMeasuring>("cancel-measuring"),
-    line_kind<RevealHand>("reveal-hand"),
-    line_kind<BelieveMeasurement>("believe-measurement"),
-    line_kind<BeginCircleTest>("begin-circle-test"),
+    line_kind<StartMeasuring>("start-measuring"), line_kind<TakeReading>("take-reading"),
+    line_kind<CancelMeasuring>("cancel-measuring"), line_kind<RevealHand>("reveal-hand"),
+    line_kind<BelieveMeasurement>("believe-measurement"), line_kind<BeginCircleTest>("begin-circle-test"),
     line_kind<EndCircleTest>("end-circle-test"),
     line_kind<ChangeCircle>("change-circle", line_field("radius", &ChangeCircle::after, &CircleChoice::radius),
                             line_field("is-clockwise", &ChangeCircle::after, &CircleChoice::is_clockwise)),
-    line_kind<FollowNewest>("follow-newest"),
-    line_kind<ForgetLessons>("forget-lessons"),
-    line_kind<CloseDialog>("close-dialog"),
-    line_kind<CloseNotice>("close-notice"),
-    line_kind<HideHints>("hide-hints"),
+    line_kind<FollowNewest>("follow-newest"), line_kind<ForgetLessons>("forget-lessons"),
+    line_kind<CloseDialog>("close-dialog"), line_kind<CloseNotice>("close-notice"), line_kind<HideHints>("hide-hints"),
     // What the shell does
     line_kind<Quit>("quit", line_field("ends-visit", &Quit::ends_visit)),
-    line_kind<ToggleFullScreen>("toggle-full-screen"),
-    line_kind<Undo>("undo"),
-    line_kind<Redo>("redo"),
+    line_kind<ToggleFullScreen>("toggle-full-screen"), line_kind<Undo>("undo"), line_kind<Redo>("redo"),
     line_kind<OpenScene>("open-scene", line_field("name", &OpenScene::name_or_path)),
     line_kind<OpenLesson>("open-lesson", line_field("name", &OpenLesson::name_or_path)),
     line_kind<DropFiles>("drop-files", line_field("paths", &DropFiles::paths)),
@@ -172,13 +152,10 @@ inline constexpr auto action_kinds = std::tuple{
                          line_field("whole-history", &SavePlots::whole_history)),
     line_kind<CopyPicture>("copy-picture", line_field("density", &CopyPicture::density),
                            line_field("scene-alone", &CopyPicture::scene_alone)),
-    line_kind<CopyValues>("copy-values"),
-    line_kind<CopySetUp>("copy-set-up"),
-    line_kind<PasteSetUp>("paste-set-up", line_field("line", &PasteSetUp::line)),
-    line_kind<ShowLink>("show-link"),
+    line_kind<CopyValues>("copy-values"), line_kind<CopySetUp>("copy-set-up"),
+    line_kind<PasteSetUp>("paste-set-up", line_field("line", &PasteSetUp::line)), line_kind<ShowLink>("show-link"),
     line_kind<StartRecording>("start-recording", line_field("path", &StartRecording::path)),
-    line_kind<StopRecording>("stop-recording"),
-    line_kind<ResetPreferences>("reset-preferences")};
+    line_kind<StopRecording>("stop-recording"), line_kind<ResetPreferences>("reset-preferences")};
 
 static_assert(std::tuple_size_v<decltype(action_kinds)> == std::variant_size_v<Action>);
 

@@ -106,7 +106,9 @@ LineChoices<SpaceMouseSettings::Up> choices_of(std::type_identity<SpaceMouseSett
 }
 
 template <typename T>
-concept Named = requires { choices_of(std::type_identity<T>{}); };
+concept Named = requires {
+  choices_of(std::type_identity<T>{});
+};
 
 // --- A value, as text and back; `wanted` says what it has to be ---
 
@@ -115,7 +117,9 @@ struct LineText;
 
 template <Named T>
 struct LineText<T> {
-  static std::string wanted() { return fmt::format("one of {}", listed(names_of(choices_of(std::type_identity<T>{})))); }
+  static std::string wanted() {
+    return fmt::format("one of {}", listed(names_of(choices_of(std::type_identity<T>{}))));
+  }
   static std::string write(const T& value) {
     const auto choices = choices_of(std::type_identity<T>{});
     return std::string(std::ranges::find(choices, value, &LineChoice<T>::id)->name);
@@ -138,8 +142,7 @@ struct LineText<double> {
 };
 
 template <std::integral T>
-  requires(!std::same_as<T, bool>)
-struct LineText<T> {
+requires(!std::same_as<T, bool>) struct LineText<T> {
   static std::string wanted() { return "a whole number"; }
   static std::string write(T value) { return fmt::format("{}", value); }
   static std::optional<T> read(std::string_view text) { return number_in<T>(text); }
@@ -271,8 +274,7 @@ class SessionReader {
     if (line_ == 1) {
       const bool is_start = words && !words->empty() && words->front().text == start_kind.name;
       if (!is_start) {
-        refuse(1, "this is no recorded session",
-               fmt::format("its first line has to begin with '{}'", start_kind.name));
+        refuse(1, "this is no recorded session", fmt::format("its first line has to begin with '{}'", start_kind.name));
         return false;
       }
       return read_start(*words, session.start);
@@ -454,7 +456,8 @@ class SessionReader {
   void throw_problems() const {
     if (problems_.empty()) return;
     std::vector<ReadProblem> told;
-    const std::size_t more = problems_.tell([&](const Place&, ReadProblem problem) { told.push_back(std::move(problem)); });
+    const std::size_t more =
+        problems_.tell([&](const Place&, ReadProblem problem) { told.push_back(std::move(problem)); });
     if (more > 0) told.push_back({.what = fmt::format("… and {} more", more)});
     throw ReadError(ReadError::Kind::wrong, std::move(told));
   }

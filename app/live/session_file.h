@@ -16,15 +16,15 @@ struct SessionStart {
   static constexpr int newest_format = 1;
 
   int format = newest_format;
-  std::string program;  // which build of it
+  std::string program{};  // which build of it
   std::string input{mouse_hand.name};
   Face face = Face::stage;
   StageMode mode = StageMode::none;
-  std::string lesson;  // a name or a path; empty: none
+  std::string lesson{};  // a name or a path; empty: none
   std::string language{"en"};
   int width = 1280;  // of the window [points]
   int height = 800;
-  std::string scene;  // as the text of a file
+  std::string scene{};  // as the text of a file
 };
 
 struct TimedAction {

@@ -25,9 +25,10 @@ SessionRecorder::SessionRecorder(const std::string& path, const SessionStart& st
     unlink(path.c_str());
   }
   const std::string shown = quoted_text(path, longest_path);
-  throw Failure(ExitCode::file_trouble,
-                exists ? fmt::format("{} already exists, and a session never overwrites a file; choose another name", shown)
-                       : fmt::format("{} cannot be written: {}", shown, reason_of(error_)));
+  throw Failure(
+      ExitCode::file_trouble,
+      exists ? fmt::format("{} already exists, and a session never overwrites a file; choose another name", shown)
+             : fmt::format("{} cannot be written: {}", shown, reason_of(error_)));
 }
 
 SessionRecorder::~SessionRecorder() {
@@ -35,10 +36,9 @@ SessionRecorder::~SessionRecorder() {
 }
 
 void SessionRecorder::write_choices(const Session& session) {
-  for (const Action& choice :
-       {Action(ChangeAppearance{session.appearance}), Action(ChangeViewOptions{session.options}),
-        Action(ChangePlots{session.plots}), Action(ChangeSpaceMouse{session.spacemouse}),
-        Action(ChangeSpeed{session.speed}), Action(ChooseLanguage{session.language})}) {
+  for (const Action& choice : {Action(ChangeAppearance{session.appearance}), Action(ChangeViewOptions{session.options}),
+                               Action(ChangePlots{session.plots}), Action(ChangeSpaceMouse{session.spacemouse}),
+                               Action(ChangeSpeed{session.speed}), Action(ChooseLanguage{session.language})}) {
     write(0.0, choice);
   }
 }

@@ -69,16 +69,16 @@ std::string shrink_list(const std::string& path) {
     return true;
   };
   if (!fails(session.actions)) {
-    return fmt::format("It takes more than these {} actions: pointer and keys in the window, or this seed. They are in {}",
-                       all, path);
+    return fmt::format(
+        "It takes more than these {} actions: pointer and keys in the window, or this seed. They are in {}", all, path);
   }
   const std::size_t left = shrink<TimedAction>(session.actions, fails, most_tries).size();
   return fmt::format("{} of its {} actions are enough: ghostforce replay-session {}", left, all, path);
 }
 
 TEST(Monkey, BreaksNothing) {
-  const std::string path = std::filesystem::absolute(fmt::format(
-      "monkey-{}.session", number_from_environment("GHOSTFORCE_MONKEY_SEED", default_seed)));
+  const std::string path = std::filesystem::absolute(
+      fmt::format("monkey-{}.session", number_from_environment("GHOSTFORCE_MONKEY_SEED", default_seed)));
   std::filesystem::remove(path);
   const Outcome outcome = run_alone("DoesWhatItLikes", path);
   if (outcome.exit_code == 0) {

@@ -33,8 +33,8 @@ class RecordedWindow : public DrivenWindow {
                              .width = width,
                              .height = height,
                              .scene = scene_text(scene)};
-    ApplicationOptions as_replayed = SessionReplay::options_for(start, options.inputs.empty() ? simulated_inputs()
-                                                                                              : options.inputs);
+    ApplicationOptions as_replayed =
+        SessionReplay::options_for(start, options.inputs.empty() ? simulated_inputs() : options.inputs);
     as_replayed.is_replay = false;
     recorder_ = std::make_unique<SessionRecorder>(path, start);
     as_replayed.watch_actions = [this](double time_s, const Action& action) { recorder_->write(time_s, action); };
