@@ -248,6 +248,12 @@ class SessionReader {
 
   RecordedSession read(std::string_view text) {
     RecordedSession session;
+    if (text.empty()) {
+      throw ReadError(ReadError::Kind::wrong,
+                      {{.file = shown_path_,
+                        .what = "the file is empty",
+                        .remedy = "name one that 'ghostforce run --record-session' has written"}});
+    }
     while (!text.empty()) {
       ++line_;
       const std::size_t end = text.find('\n');
@@ -259,7 +265,6 @@ class SessionReader {
       text.remove_prefix(end + 1);
       if (!read_line(line, session)) break;
     }
-    if (line_ == 0) refuse(1, "the file is empty", "name a file that 'ghostforce run --record-session' has written");
     if (!has_end_ && !session.actions.empty()) session.end_s = session.actions.back().time_s;
     throw_problems();
     return session;

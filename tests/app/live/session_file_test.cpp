@@ -153,7 +153,7 @@ TEST(SessionFile, EveryNameOfACatalogComesBack) {
   const RecordedSession back = read_session(text, "F");
   ASSERT_EQ(back.actions.size(), actions.size());
   for (std::size_t i = 0; i < actions.size(); ++i) EXPECT_EQ(action_line(back.actions[i]), action_line(actions[i]));
-  EXPECT_EQ(text.find("= "), std::string::npos) << "a name is missing";
+  EXPECT_EQ(text.find("= ", start().size()), std::string::npos) << "a name is missing";
 }
 
 TEST(SessionFile, HowItBeganComesBack) {
@@ -222,7 +222,7 @@ TEST(SessionFile, AllThatIsWrongIsToldAtOnce) {
 }
 
 TEST(SessionFile, OnlyASessionIsRead) {
-  EXPECT_NE(problems_of("").find("F:1:1: the file is empty"), std::string::npos);
+  EXPECT_NE(problems_of("").find("F: the file is empty"), std::string::npos);
   EXPECT_NE(problems_of("strategy,t_s\n").find("F:1:1: this is no recorded session"), std::string::npos);
   const std::string newer = problems_of("ghostforce-session format=2 wings=4\n1 fly\n");
   EXPECT_NE(newer.find("F:1:20: the format 2 is not known"), std::string::npos) << newer;

@@ -1,6 +1,7 @@
 // What was done in a window, recorded and done again in another one: the same values, bit for bit, and nothing besides.
 #include "app/live/session_replay.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "app/session/live_table.h"
 #include "app/session/set_up_of.h"
 #include "app/set_up/set_up_line.h"
+#include "app/view/handles.h"
 #include "tests/app/live/recorded_window.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
@@ -85,18 +87,24 @@ TEST_F(SessionReplayTest, ComesToTheSameEnd) {
   }
 }
 
-TEST_F(SessionReplayTest, WhatAControlHoldsIsOneStepToTakeBack) {
+TEST_F(SessionReplayTest, ADragIsOneStepToTakeBack) {
   open_recorded(path_, {.face = Face::workbench});
+  frames(3);
   const double before = session().settings.wall_normal_angle;
-  act(HoldControl{true});
-  for (int i = 1; i < 10; ++i) act(TurnWallTo{0.1 * i});
-  act(HoldControl{false});
-  act(Undo{});
-  frames(2);
+  const auto grips = wall_grips(wall_of(session().settings), screen().panes()[0].camera, 1.0);
+  ASSERT_TRUE(grips);
+  const Vector<2> grip = in_window((*grips)[0]);
+  drag(grip, grip + Vector<2>(60.0, 60.0));
+  EXPECT_NE(session().settings.wall_normal_angle, before);
+  press(key::z, modifier::control);
   ASSERT_EQ(session().settings.wall_normal_angle, before);
-  open_replayed(recorded());
+  const RecordedSession session_then = recorded();
+  const auto is_turn = [](const TimedAction& timed) { return std::holds_alternative<TurnWallTo>(timed.action); };
+  EXPECT_GT(std::ranges::count_if(session_then.actions, is_turn), 1);
+  open_replayed(session_then);
   replay_whole();
   EXPECT_EQ(session().settings.wall_normal_angle, before);
+  EXPECT_FALSE(session().is_editing);
 }
 
 TEST_F(SessionReplayTest, WhatIsPastedIsInTheFile) {
