@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -29,7 +28,7 @@ struct ReplaySessionOptions {
 };
 
 // As fast as it can.
-void play_unseen(SessionReplay& replay, double end_s) {
+std::string play_unseen(SessionReplay& replay, double end_s) {
   Progress progress("replaying", static_cast<std::int64_t>(end_s / SessionReplay::frame_s), true);
   std::int64_t frame = 0;
   do {
@@ -37,22 +36,26 @@ void play_unseen(SessionReplay& replay, double end_s) {
     replay.step();
     progress.at(++frame);
   } while (!replay.is_over());
+  return replay.result();
 }
 
-// In its own time; at the end the picture stays until the window is closed.
-void play_in_window(SessionReplay& replay, const Application& application, Window& window) {
+// In its own time; then the picture stays until the window is closed. Returns the result at the end of the session, or
+// where somebody has closed it.
+std::string play_in_window(SessionReplay& replay, const Application& application, Window& window) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
-  bool was_over = false;
+  std::string result;
   while (!window.should_close()) {
     stop_if_interrupted();
     replay.step();
-    if (!std::exchange(was_over, replay.is_over()) && replay.is_over()) {
+    if (result.empty() && replay.is_over()) {
+      result = replay.result();
       say("This is the end of the session. Close the window.\n");
     }
     const double passed_s = std::chrono::duration<double>(Clock::now() - began).count();
     window.poll(std::max(0.0, application.clock_s() - passed_s));
   }
+  return result.empty() ? replay.result() : result;
 }
 
 int replay_session(const ReplaySessionOptions& options) {
@@ -74,13 +77,10 @@ int replay_session(const ReplaySessionOptions& options) {
   if (options.is_headless) window.set_visible_drawing(false);
   Application application(window, scene, application_options);
   SessionReplay replay(application, session);
-  if (options.is_headless) {
-    play_unseen(replay, session.end_s);
-  } else {
-    play_in_window(replay, application, window);
-  }
+  const std::string result =
+      options.is_headless ? play_unseen(replay, session.end_s) : play_in_window(replay, application, window);
   application.stop();
-  print(replay.result());
+  print(result);
   if (const std::size_t left_out = replay.counts().left_out; left_out > 0) {
     say("{}: {} of {} actions left out: a replay writes and copies nothing, records nothing, leaves the window as it "
         "is, and has no device\n",
@@ -103,7 +103,7 @@ std::function<int()> attach_replay_session(CLI::App& command, FileOptions& files
       "until you close the window. No file is written, nothing is copied, and no device moves: motors are simulated.\n"
       "Then one line says how many actions were done, refused and left out, and what stands on the screen, as a "
       "set-up\n"
-      "that 'ghostforce run' takes. The same file always gives the same line, with --headless or without.\n"
+      "that 'ghostforce run' takes. With --headless the same file always gives the same line.\n"
       "\n"
       "Examples:\n"
       "  ghostforce replay-session visit.session\n"
