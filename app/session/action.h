@@ -284,11 +284,11 @@ using Action =
                  AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView, TogglePlots,
                  NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, ChangeSpeed,
                  ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
-                 SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
-                 CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
-                 FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo,
-                 OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
-                 CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
+                 SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
+                 TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest,
+                 ChangeCircle, FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen,
+                 Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
+                 CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;
