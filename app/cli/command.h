@@ -45,6 +45,7 @@ AttachCommand attach_figures;
 AttachCommand attach_worksheet;
 AttachCommand attach_sweep;
 AttachCommand attach_replay;
+AttachCommand attach_replay_session;
 AttachCommand attach_measure_user;
 AttachCommand attach_check;
 AttachCommand attach_doctor;

@@ -14,6 +14,8 @@ constexpr std::array catalog{
     Command{"worksheet", "Make worksheets of lessons as PDF, or the same pages with the answers", attach_worksheet},
     Command{"sweep", "Compute where everything comes to rest over ranges of one or two keys, as CSV", attach_sweep},
     Command{"replay", "Run a recording again and check whether every number comes out the same", attach_replay},
+    Command{"replay-session", "Do again what a person did in the window, from a recorded session",
+            attach_replay_session},
     Command{"measure-user", "Compute how stiff the hand in a run was, from the proxy drift at rest",
             attach_measure_user},
     Command{"check", "Compare the pictures of a folder of cases with the stored ones", attach_check},

@@ -42,6 +42,10 @@ std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
                                                  falcon_entry(falcon_kind(cable), readiness_with_motors)});
 }
 
+std::vector<InputEntry> simulated_inputs() {
+  return portable_inputs(readiness_with_motors);
+}
+
 EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
                         const EndOfVisit& of_input) {
   if (const OffReasonEntry& reason = entry_of(motors.reason); reason.is_safety_limit) {

@@ -19,6 +19,9 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable);
 // In the order in which people see them.
 std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable = {});
 
+// Without the hardware.
+std::vector<InputEntry> simulated_inputs();
+
 // How a visit at the window ended, as far as the input's device is concerned. Pure.
 // `readiness`: of the input, empty where it has none; `of_input`: what its link says.
 EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,

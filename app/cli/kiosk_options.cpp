@@ -24,6 +24,7 @@ std::vector<Contradiction> beside_kiosk() {
       Contradiction{"--mode", "", lessons_say},
       Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
       Contradiction{"--record", "", "nothing of a visit is stored"},
+      Contradiction{"--record-session", "", "nothing of a visit is stored"},
       Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
   };
   for (const InputChoice& hand : hands_moving_by_themselves) {

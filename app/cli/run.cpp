@@ -1,9 +1,11 @@
 // ghostforce run: the window, live.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +29,7 @@
 #include "app/cli/reading_aloud.h"
 #include "app/cli/set_up_options.h"
 #include "app/files/output_file.h"
+#include "app/files/program_build.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/file_painter.h"
@@ -37,6 +40,7 @@
 #include "app/shell/desktop/sleep_watch.h"
 #include "app/shell/frame_pacer.h"
 #include "app/shell/preferences.h"
+#include "app/shell/session_recorder.h"
 #include "app/state/progress_keeper.h"
 #include "app/tools/doctor/diagnosis.h"
 #include "app/workbench/panel_catalog.h"
@@ -58,6 +62,7 @@ struct RunOptions {
   KioskOptions kiosk;
   std::string input{mouse_hand.name};
   std::optional<std::string> record;
+  std::optional<std::string> record_session;
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
@@ -117,8 +122,34 @@ void refuse_goal_of_other_hand(const RunOptions& options) {
                   quoted_text(options.input, longest_path)));
 }
 
+// The hand of another file is not in the list of what the person did.
+void refuse_session_of_other_hand(const RunOptions& options) {
+  if (!options.record_session || !options.input.starts_with(replay_begins())) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--record-session writes down what you do yourself, but --input {} brings the hand of a "
+                            "recording; leave out one of them",
+                            quoted_text(options.input, longest_path)));
+}
+
+SessionStart session_start(const RunOptions& options, const SetUp& set_up, const std::string& language,
+                           const Window& window) {
+  const auto points = [&](int pixels) {
+    return std::max(1, static_cast<int>(std::lround(pixels / static_cast<double>(window.display_scale()))));
+  };
+  return {.program = program_build(),
+          .input = options.input,
+          .face = set_up.face,
+          .mode = set_up.mode,
+          .lesson = options.lesson.name,
+          .language = language,
+          .width = points(window.pixel_width()),
+          .height = points(window.pixel_height()),
+          .scene = scene_text(set_up.scene)};
+}
+
 int run(const RunOptions& options) {
   options.kiosk.refuse_contradictions();
+  refuse_session_of_other_hand(options);
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
@@ -153,6 +184,12 @@ int run(const RunOptions& options) {
                      .when_lost = emergency_stop::stop_motors});
   if (layout.is_maximized) window.maximize();
   if (layout.is_full_screen) window.toggle_full_screen();
+  std::optional<SessionRecorder> session_recorder;
+  std::function<void(double, const Action&)> watch_actions;
+  if (options.record_session) {
+    session_recorder.emplace(*options.record_session, session_start(options, set_up, preferences.language, window));
+    watch_actions = [&](double time_s, const Action& action) { session_recorder->write(time_s, action); };
+  }
   Application application(
       window, set_up.scene,
       {.appearance = appearance,
@@ -171,10 +208,12 @@ int run(const RunOptions& options) {
        .offers_hints = preferences.offers_hints,
        .folded_panels = stored.layout ? layout.folded_panels
                                       : panels_folded_at_first(window.restored_size().height / appearance.scale),
-       .shader_folder = options.shader_folder});
+       .shader_folder = options.shader_folder,
+       .watch_actions = watch_actions});
   if (!stored.remarks.empty()) application.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   emergency_stop::refuse_to_be_stopped();
   apply(preferences, application.session());
+  if (session_recorder) session_recorder->write_choices(application.session());
   PreferenceKeeper keeper(stored.preferences, application.session());
   ProgressKeeper progress_keeper(progress);
   const auto keep = [&] {
@@ -237,10 +276,14 @@ int run(const RunOptions& options) {
   if (const std::string& words = problem.empty() ? end_of_recording : problem; !words.empty()) {
     say("{}\n", words);
   }
+  if (session_recorder) session_recorder->end(application.clock_s());
+  const std::string session_problem = session_recorder ? session_recorder->problem() : std::string();
+  if (!session_problem.empty()) say("{}\n", session_problem);
   reading_aloud.finish_printing();
   const bool lost_values = reading_aloud.output_problem() != 0 && reading_aloud.output_problem() != EPIPE;
   if (lost_values) say("not all values were printed: {}\n", reason_of(reading_aloud.output_problem()));
-  if (lost_values || (options.record && !problem.empty())) return static_cast<int>(ExitCode::file_trouble);
+  if (lost_values || (options.record && !problem.empty()) || !session_problem.empty())
+    return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
   const EndOfVisit end =
@@ -269,6 +312,12 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   files.writes(command
                    .add_option("--record", options->record,
                                "Record every tick, starting with the first, to this CSV file, which must not exist yet")
+                   ->type_name("FILE")
+                   ->check(refuse_standard_output));
+  files.writes(command
+                   .add_option("--record-session", options->record_session,
+                               "Write what you do to this file, which must not exist yet: a line for each action, for "
+                               "'ghostforce replay-session' (docs/sessions.md)")
                    ->type_name("FILE")
                    ->check(refuse_standard_output));
   options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
@@ -302,6 +351,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run --lesson ghost --language es\n"
       "  ghostforce run --kiosk\n"
       "  ghostforce run --record visit.csv\n"
+      "  ghostforce run --record-session visit.session\n"
       "  ghostforce run --print-values 5 > values.tsv\n"
       "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };

@@ -78,6 +78,8 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       input_options_(options.input_options),
       painter_(options.painter),
       show_link_(options.show_link),
+      watch_actions_(options.watch_actions),
+      is_replay_(options.is_replay),
       servo_driver_(options.make_servo_driver ? options.make_servo_driver() : nullptr),
       screen_(window, options.part) {
   if (session_.visit) window_.stay_open();
@@ -270,7 +272,7 @@ bool Application::needs_drawing() const {
 
 void Application::draw() {
   screen_.take_keys(session_, [this](const Action& action) {
-    act(action);
+    hear(action);
     do_what_is_asked();
   });
   // What is changed within the frame, some of it shows and some does not: it is a reason for another one.
@@ -281,12 +283,29 @@ void Application::draw() {
   constexpr double longest_step_s = 0.25;
   const double since_drawn_s = std::min(std::exchange(since_drawn_s_, 0.0), longest_step_s);
   screen_.draw(
-      session_, [this](const Action& action) { act(action); }, shown(), history_, reading(), since_drawn_s);
+      session_, [this](const Action& action) { hear(action); }, shown(), history_, reading(), since_drawn_s);
   do_what_is_asked();
   send();
 }
 
+void Application::hear(const Action& action) {
+  if (!is_replay_ || std::holds_alternative<Quit>(action)) act(action);
+}
+
 void Application::act(const Action& action) {
+  Action whole = action;
+  if (auto* const paste = std::get_if<PasteSetUp>(&whole); paste != nullptr && paste->line.empty() && !is_replay_)
+    paste->line = window_.clipboard_text();
+  if (watch_actions_) watch_actions_(clock_s_, whole);
+  apply_now(whole);
+}
+
+void Application::act_at_once(const Action& action) {
+  act(action);
+  do_what_is_asked();
+}
+
+void Application::apply_now(const Action& action) {
   std::ranges::move(apply(session_, action), std::back_inserter(effects_));
 }
 

@@ -50,6 +50,9 @@ struct ApplicationOptions {
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
   std::string shader_folder{};  // empty: the embedded shaders, not watched
+  // Hears what the person does, before it is done, and when; may be empty. `time_s`: as clock_s().
+  std::function<void(double time_s, const Action& action)> watch_actions{};
+  bool is_replay = false;  // who sits at the window only watches, and may close it
 };
 
 // Of the window in which the scene is.
@@ -72,6 +75,9 @@ class Application {
   // plugged in. Nothing else may be called any more.
   void let_go_of_input() noexcept;
 
+  // Since it began: the sum of the intervals [s].
+  double clock_s() const noexcept { return clock_s_; }
+  bool has_input(std::string_view name) const noexcept { return find_input(inputs_, name) != nullptr; }
   Servo& servo() noexcept { return *servo_; }
   Session& session() noexcept { return session_; }
   const Screen& screen() const noexcept { return screen_; }
@@ -93,6 +99,8 @@ class Application {
 
   // Does it with the session; what is then left to do, the next draw() does.
   void act(const Action& action);
+  // As a key does: nothing is left to do.
+  void act_at_once(const Action& action);
 
   // Shows what the last update() has found, and does what the person asked for.
   void draw();
@@ -140,6 +148,9 @@ class Application {
   void send();
   void heartbeat();
   void copy_motor_requests();
+  // What a person at the window does.
+  void hear(const Action& action);
+  void apply_now(const Action& action);
   // What one key press, or one frame, has left in the session.
   void do_what_is_asked();
   struct EffectDoer;
@@ -174,7 +185,7 @@ class Application {
   void show(const UndoState& wanted);
   void show(const SetUp& set_up);
   void copy_set_up();
-  void paste_set_up();
+  void paste_set_up(const PasteSetUp& wanted);
   void add_to_notice(const std::string& words);
   void dismiss_notice();
   const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
@@ -192,6 +203,8 @@ class Application {
   InputOptions input_options_;
   FilePainter painter_;
   std::function<void(const std::string& line)> show_link_;
+  std::function<void(double time_s, const Action& action)> watch_actions_;
+  bool is_replay_;
   History history_;
   LateTicks late_ticks_{LoopReading::lately_s};
   ClipboardTool clipboard_tool_;

@@ -50,7 +50,7 @@ struct Application::EffectDoer {
     application.show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
   }
   void operator()(const CopySetUp&) const { application.copy_set_up(); }
-  void operator()(const PasteSetUp&) const { application.paste_set_up(); }
+  void operator()(const PasteSetUp& wanted) const { application.paste_set_up(wanted); }
   void operator()(const ShowLink&) const {
     if (!application.show_link_) return;
     application.show_link_(set_up_line(set_up_of(application.session_, application.shown())));
@@ -70,7 +70,7 @@ void Application::do_effects() {
   has_failed_ = false;
   std::vector<std::string> dropped = window_.take_dropped_files();
   std::ranges::move(take_chosen_files(), std::back_inserter(dropped));
-  if (!dropped.empty()) act(DropFiles{std::move(dropped)});
+  if (!dropped.empty()) hear(DropFiles{std::move(dropped)});
   // A step of a lesson may bring an input of its own, for visitors too.
   const std::optional<std::string> input = std::exchange(session_.wanted_input, {});
   if (input && *input != session_.input) attempt([&] { use_at_request(input_of(*input)); });

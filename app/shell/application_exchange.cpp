@@ -141,8 +141,8 @@ void Application::show(const UndoState& wanted) {
   hand_following_.restore(wanted.settings, wanted.belief_source, session_);
   session_.shown = wanted.view;
   session_.stage.is_black = false;
-  act(ShowFace{wanted.face});
-  if (wanted.mode != StageMode::none) act(ToggleMode{wanted.mode});
+  apply_now(ShowFace{wanted.face});
+  if (wanted.mode != StageMode::none) apply_now(ToggleMode{wanted.mode});
 }
 
 void Application::show(const SetUp& set_up) {
@@ -166,9 +166,9 @@ void Application::copy_set_up() {
   show_notice(std::string(notice_words().copied_set_up), false);
 }
 
-void Application::paste_set_up() {
+void Application::paste_set_up(const PasteSetUp& wanted) {
   try {
-    show_set_up(window_.clipboard_text());
+    show_set_up(wanted.line);
   } catch (const ReadError& error) {
     return show_notice(fmt::format("The clipboard holds no set-up: {}.\nCopy one with Ctrl+C.", error.what()), true);
   }

@@ -88,7 +88,12 @@ void Screen::apply_appearance(const Appearance& appearance) {
 void Screen::draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment,
                              const History& history, const LoopReading& loop, const Frame& frame) {
   const Theme& theme = *styled_appearance_.theme;
-  const PanelContext context{session, apply,           session,       moment.snapshot,   moment.settings,  loop,
+  // A control is held before it changes anything, and let go of after all of it.
+  const ActionSink apply_held = [&](const Action& action) {
+    if (!session.is_editing && ImGui::IsAnyItemActive()) apply(HoldControl{true});
+    apply(action);
+  };
+  const PanelContext context{session, apply_held,      session,       moment.snapshot,   moment.settings,  loop,
                              theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
@@ -100,7 +105,7 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     scene_size_ = workbench_.scene_size();
   }
   if (frame.is_live) {
-    session.is_editing = ImGui::IsAnyItemActive();
+    if (const bool is_held = ImGui::IsAnyItemActive(); is_held != session.is_editing) apply(HoldControl{is_held});
     hints_.follow(session);
   }
   const double text_scale = text_scale_of(session.face, static_cast<double>(styled_scale_), theme);

@@ -180,6 +180,10 @@ using ChooseLanguage = Change<&Session::language>;
 using SwitchSpeech = Change<&Session::speaks>;
 using InjectFault = Change<&Session::injected_fault>;
 using AimAtTarget = Change<&Session::aims_at_target>;
+// A control or a handle; until it is let go of its change is not complete.
+struct HoldControl {
+  bool is_held = false;
+};
 
 struct ChangeStiffnesses {
   Stiffnesses after;
@@ -254,7 +258,9 @@ struct CopyPicture {
 struct CopyValues {};
 // What is shown, as a line; and to show what such a line describes.
 struct CopySetUp {};
-struct PasteSetUp {};
+struct PasteSetUp {
+  std::string line{};  // empty: what the clipboard holds
+};
 // To this page, with that line.
 struct ShowLink {};
 struct StartRecording {
@@ -278,11 +284,11 @@ using Action =
                  AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView, TogglePlots,
                  NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, ChangeSpeed,
                  ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
-                 SwitchSpeech, InjectFault, AimAtTarget, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
-                 CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
-                 FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo,
-                 OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
-                 CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
+                 SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
+                 TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest,
+                 ChangeCircle, FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen,
+                 Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
+                 CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;

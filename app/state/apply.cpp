@@ -389,6 +389,10 @@ void act(Session& session, const Change<member>& action) {
   session.*member = action.after;
 }
 
+void act(Session& session, const HoldControl& action) {
+  session.is_editing = action.is_held;
+}
+
 void act(Session& session, const ChangeStiffnesses& action) {
   session.settings.stiffnesses = action.after;
 }

@@ -25,7 +25,7 @@ using ForVisitors =
     std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
                  TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber,
                  PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
-                 StopMotors, AcknowledgeOff, Escape, Quit>;
+                 StopMotors, AcknowledgeOff, Escape, HoldControl, Quit>;
 
 // A lesson tells its own time, says which mode is on and what moves the hand, and leaves nothing to undo.
 using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode,

@@ -176,11 +176,12 @@ void draw_wall_angle_plots(const PanelContext& context) {
   if (const auto dragged = draw_equilibrium_plots(context, curves, axis, question, condition)) {
     const double degrees = std::clamp(*dragged, axis.least, axis.greatest);
     const double angle = (ImGui::GetIO().KeyCtrl ? degrees : std::round(degrees)) * radians_per_degree;
-    Session& session = context.edited;
+    const Session& session = context.session;
     if (session.pointer_moves_goal) {
-      session.goal = nearest_in_scene(goal_turned_with_wall(session.settings, session.goal, angle));
+      context.apply(MoveHandTo{nearest_in_scene(goal_turned_with_wall(session.settings, session.goal, angle))});
+      context.apply(LetGoOfHand{});
     }
-    session.settings.wall_normal_angle = angle;
+    context.apply(TurnWallTo{angle});
   }
 }
 

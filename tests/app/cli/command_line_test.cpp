@@ -64,6 +64,7 @@ TEST(CommandLine, HelpAtEveryLevel) {
     if (command == "doctor") told = {"--json", "--wait"};        // a device needs none
     if (command == "worksheet") told = {"LESSON", "--answers"};
     if (command == "help") told = {"COMMAND", "--format"};
+    if (command == "replay-session") told = {"SESSION", "--headless"};
     if (command == "measure-user") told = {"RUN.csv", "--target-mm"};
     for (const std::string_view words : told) {
       EXPECT_NE(outcome.out.find(words), std::string::npos) << command << words;

@@ -53,6 +53,8 @@ const std::vector<Typed> typed_lines{
     {"ghostforce sweep wall45 --over wall.n", {"wall.normal_deg="}, {}},
     {"ghostforce replay my_", {"my_notes.txt"}, {}},
     {"ghostforce replay my_run.csv wa", {"wall45"}, {}},
+    {"ghostforce replay-session my_", {"my_notes.txt"}, {}},
+    {"ghostforce replay-session my_notes.txt --", {"--headless"}, {"--set"}},
     {"ghostforce run --lesson gh", {"ghost"}, {"wall45"}},
     {"ghostforce run --input rep", {"replay:"}, {}},
     {"ghostforce run --input replay:my_n", {"my_notes.txt"}, {}},

@@ -32,17 +32,19 @@ class DrivenWindow : public testing::Test {
     application_.reset();
     if (options.inputs.empty()) options.inputs = desktop_inputs();
     options.painter = cairo_file_painter();
-    if (!window_ || window_->pixel_width() != width || window_->pixel_height() != height) {
-      window_.reset();
-      window_ = std::make_unique<GlfwWindow>(
-          WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
-      ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
-      ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
-      window_->set_visible_drawing(draws_every_frame_);
-    }
+    if (!window_ || window_->pixel_width() != width || window_->pixel_height() != height) open_window(width, height);
     application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
     point_at(width - 400.0, height - 5.0);  // nothing there
     frames(3);
+  }
+
+  void open_window(int width, int height) {
+    window_.reset();
+    window_ = std::make_unique<GlfwWindow>(
+        WindowOptions{.title = "test", .width = width, .height = height, .offscreen = true, .takes_mouse = true});
+    ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
+    ImGui_ImplGlfw_CursorEnterCallback(window_->handle(), GLFW_TRUE);
+    window_->set_visible_drawing(draws_every_frame_);
   }
 
   Session& session() { return application_->session(); }
@@ -71,7 +73,7 @@ class DrivenWindow : public testing::Test {
   // A frame of the window and the ticks that the servo makes meanwhile.
   void frames(int count, int ticks_per_frame = 16) {
     for (int i = 0; i < count; ++i) {
-      for (int k = 0; k < ticks_per_frame; ++k) application_->servo().step();
+      for (int k = 0; steps_by_hand_ && k < ticks_per_frame; ++k) application_->servo().step();
       application_->frame(frame_s);
     }
   }
@@ -162,6 +164,7 @@ class DrivenWindow : public testing::Test {
   }
 
   bool draws_every_frame_ = false;
+  bool steps_by_hand_ = true;  // else a driver makes the ticks
   std::unique_ptr<GlfwWindow> window_;
   std::unique_ptr<Application> application_;
 };

@@ -2,13 +2,20 @@
 // goal: nothing breaks, every value stays one that a scene may have, and no number on screen is none. ImGui's own
 // assertions watch too: they end the program.
 //
-// As many events as GHOSTFORCE_MONKEY_EVENTS says, from the seed GHOSTFORCE_MONKEY_SEED.
+// As many events as GHOSTFORCE_MONKEY_EVENTS says, from the seed GHOSTFORCE_MONKEY_SEED. What it does is written down as
+// it goes (app/shell/session_file.h). When something breaks, a crash too, the list is made as short as it can be and still
+// break, and left in the working directory: `ghostforce replay-session` shows it.
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <random>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include <glad/gl.h>
 #include <imgui_internal.h>
@@ -20,7 +27,10 @@
 #include "app/state/scene_view_limits.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/app/shell/monkey.h"
+#include "tests/app/shell/recorded_window.h"
 #include "tests/device/servo/servo_scenes.h"
+#include "tests/support/program.h"
+#include "tests/support/shrink.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::monkey_test {
@@ -32,18 +42,72 @@ TEST(NoNumber, IsFoundAmidWords) {
   EXPECT_EQ(no_number_in("financial information, nano, κinf"), "");
 }
 
-class MonkeyTest : public DrivenWindow {
+constexpr const char* list_variable = "GHOSTFORCE_MONKEY_LIST";
+constexpr int default_seed = 20200417;
+
+// One of those below whose names begin with DISABLED_: in a process of its own, so that a crash is seen as well.
+Outcome run_alone(const std::string& test, const std::string& list) {
+  ProgramCall call;
+  call.words = {"--gtest_also_run_disabled_tests", "--gtest_filter=MonkeyTest.DISABLED_" + test};
+  call.environment = {fmt::format("{}={}", list_variable, list), "GTEST_TOTAL_SHARDS=1", "GTEST_SHARD_INDEX=0",
+                      "GTEST_OUTPUT="};
+  return run_program(std::filesystem::read_symlink("/proc/self/exe").string(), call);
+}
+
+// What to say of it.
+std::string shrink_list(const std::string& path) {
+  constexpr int most_tries = 300;
+  RecordedSession session = load_session(path);
+  const std::size_t all = session.actions.size();
+  const TemporaryFolder folder;
+  const auto fails = [&](const std::vector<TimedAction>& actions) {
+    constexpr double afterwards_s = 0.1;
+    RecordedSession shorter{session.start, actions, actions.empty() ? 0.0 : actions.back().time_s + afterwards_s};
+    const std::string list = folder / "shorter.session";
+    write_whole(list, session_text(shorter));
+    if (run_alone("DoesAsListed", list).exit_code == 0) return false;
+    write_whole(path, session_text(shorter));  // the shortest so far
+    return true;
+  };
+  if (!fails(session.actions)) {
+    return fmt::format(
+        "It takes more than these {} actions: pointer and keys in the window, or this seed. They are in {}", all, path);
+  }
+  const std::size_t left = shrink<TimedAction>(session.actions, fails, most_tries).size();
+  return fmt::format("{} of its {} actions are enough: ghostforce replay-session {}", left, all, path);
+}
+
+TEST(Monkey, BreaksNothing) {
+  const std::string path = std::filesystem::absolute(
+      fmt::format("monkey-{}.session", number_from_environment("GHOSTFORCE_MONKEY_SEED", default_seed)));
+  std::filesystem::remove(path);
+  const Outcome outcome = run_alone("DoesWhatItLikes", path);
+  if (outcome.exit_code == 0) {
+    std::filesystem::remove(path);
+    return;
+  }
+  ADD_FAILURE() << outcome.out << outcome.err << "exit code " << outcome.exit_code;
+  if (std::filesystem::exists(path)) ADD_FAILURE() << shrink_list(path);
+}
+
+class MonkeyTest : public RecordedWindow {
  protected:
   // High enough for every panel at once.
   static constexpr int width = 1280;
   static constexpr int height = 2400;
 
-  MonkeyTest() {
-    std::filesystem::current_path(folder_.path());
+  MonkeyTest() { std::filesystem::current_path(folder_.path()); }
+  void begin() {
     ApplicationOptions options;
-    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
     options.inputs = desktop_inputs({.id = {0xFFFF, 0xFFFF}});  // nobody's: no monkey drives a real one
-    open(options, "wall45", width, height);
+    open_recorded(list_path(), std::move(options), "wall45", width, height);
+    look_at_words();
+  }
+  static std::string list_path() {
+    const char* const path = std::getenv(list_variable);
+    return path == nullptr ? "monkey.session" : path;
+  }
+  void look_at_words() {
     // All is drawn, and nothing is filled in, which would take most of the time.
     glEnable(GL_RASTERIZER_DISCARD);
     // ImGui can write what it draws to the clipboard, from the beginning of a frame to its end.
@@ -67,7 +131,7 @@ class MonkeyTest : public DrivenWindow {
       return {static_cast<double>(any(width)), static_cast<double>(any(2) == 0 ? any(60) : height - any(300))};
     return {static_cast<double>(any(width + 20) - 10), static_cast<double>(any(height + 20) - 10)};
   }
-  void frame() { frames(1, any(8) == 0 ? any(100) : any(4)); }
+  void frame() { frames(any(8) == 0 ? 1 + any(6) : 1); }
   void press_button(const Vector<2>& at, int which) {
     point_at(at);
     frame();
@@ -143,52 +207,71 @@ class MonkeyTest : public DrivenWindow {
   void lead_back() {
     session().folded_panels.clear();
     // Many keys lead to the stage, and one to the workbench.
-    if (any(20) == 0) apply(session(), ShowFace{Face::workbench});
-    if (any(40) == 0) apply(session(), ToggleMode{any_of(stage_mode_catalog()).id});
+    if (any(20) == 0) act(ShowFace{Face::workbench});
+    if (any(40) == 0) act(ToggleMode{any_of(stage_mode_catalog()).id});
     ++frames_on_[session().face == Face::stage ? 0 : 1];
-    if (any(20) == 0) session().plots.is_open = true;
+    if (any(20) == 0 && !session().plots.is_open) act(TogglePlots{});
     if (session().input == "falcon" || session().input == "spacemouse") act(ChooseInput{"virtual-falcon"});
     // Motors that push want somebody who takes all the steps, and that takes its time.
-    if (any(30) == 0 && session().input == "virtual-falcon") {
-      session().goal = {-0.02, 0.02};
-      frames(20, 400);
-      ++session().acknowledgements;
-      ++session().arms_asked;
-      frames(5, 400);
+    if (any(100) == 0 && session().input == "virtual-falcon") {
+      act(MoveHandTo{{-0.02, 0.02}});
+      act(LetGoOfHand{});
+      frames(480);
+      act(AcknowledgeOff{});
+      act(ArmMotors{});
+      frames(120);
     }
     pushes_ += application_->report().motors.sent != Vector<2>(0.0) ? 1 : 0;
   }
 
+  // What must be so at any moment, whatever was done. Empty: all is.
+  std::string what_is_wrong() {
+    if (!is_in_range(session().settings)) return "settings are out of range";
+    if (!is_finite(now())) return "the simulation is lost";
+    if (std::max(std::abs(session().goal.x), std::abs(session().goal.y)) > farthest_mm / 1000.0)
+      return "the hand is too far away";
+    for (const SceneView& shown : {session().shown, session().stage_shown}) {
+      const SceneView nearest = within_scene_limits(shown);
+      if (nearest.width != shown.width || nearest.center != shown.center) return "a view is beyond its limits";
+    }
+    const double scale = session().appearance.scale;
+    if (!(scale >= Appearance::least_scale && scale <= Appearance::greatest_scale)) return "letters have no such size";
+    // The stage's words are marks, but for what lies in front of it.
+    if (session().face != Face::stage && words_.empty()) return "the workbench has no words";
+    if (const std::string_view word = no_number_in(words_); !word.empty()) return "no number: " + std::string(word);
+    for (const Pane& pane : screen().panes()) {
+      for (const Mark& mark : pane.marks) {
+        if (!std::visit(IsSound(), mark.form)) return "a mark is nowhere, or says no number";
+      }
+    }
+    return {};
+  }
+
   static inline std::string words_;  // of the last frame
-  std::mt19937 random_{static_cast<unsigned>(number_from_environment("GHOSTFORCE_MONKEY_SEED", 20200417))};
+  std::mt19937 random_{static_cast<unsigned>(number_from_environment("GHOSTFORCE_MONKEY_SEED", default_seed))};
   TemporaryFolder folder_;
   std::filesystem::path before_ = std::filesystem::current_path();
   int pushes_ = 0;
   std::array<int, 2> frames_on_{};  // the stage, the workbench
 };
 
-TEST_F(MonkeyTest, BreaksNothing) {
+TEST_F(MonkeyTest, DISABLED_DoesAsListed) {
+  open_replayed(load_session(list_path()));
+  look_at_words();
+  do {
+    replay_->step();
+    ASSERT_EQ(what_is_wrong(), "");
+  } while (!replay_->is_over());
+}
+
+TEST_F(MonkeyTest, DISABLED_DoesWhatItLikes) {
   const int events = number_from_environment("GHOSTFORCE_MONKEY_EVENTS", 1500);
+  begin();
   act(StartRecording{"a.csv"});
   for (int i = 0; i < events; ++i) {
     lead_back();
     do_something();
-    ASSERT_TRUE(is_in_range(session().settings)) << i;
-    ASSERT_TRUE(is_finite(now())) << i;
-    ASSERT_LE(std::max(std::abs(session().goal.x), std::abs(session().goal.y)), farthest_mm / 1000.0) << i;
-    for (const SceneView& shown : {session().shown, session().stage_shown}) {
-      const SceneView nearest = within_scene_limits(shown);
-      ASSERT_EQ(nearest.width, shown.width) << i;
-      ASSERT_EQ(nearest.center, shown.center) << i;
-    }
-    ASSERT_GE(session().appearance.scale, Appearance::least_scale) << i;
-    ASSERT_LE(session().appearance.scale, Appearance::greatest_scale) << i;
-    // The stage's words are marks, but for what lies in front of it.
-    ASSERT_TRUE(session().face == Face::stage || !words_.empty()) << i;
-    ASSERT_EQ(no_number_in(words_), "") << i;
-    for (const Pane& pane : screen().panes()) {
-      for (const Mark& mark : pane.marks) ASSERT_TRUE(std::visit(IsSound(), mark.form)) << i;
-    }
+    ASSERT_EQ(what_is_wrong(), "") << i;
   }
   EXPECT_GT(pushes_, 0);  // motors were on
   for (const int count : frames_on_) EXPECT_GT(count, events / 10);

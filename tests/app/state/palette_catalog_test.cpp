@@ -54,10 +54,10 @@ class PaletteCatalog : public testing::Test {
 };
 
 // They need the pointer or an amount, or are what an arrow does.
-using WithAmount =
-    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
-                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, MoveView, PanView, ChangeSpeed, ChangePlots,
-                 ChangeSafety, ChangeSpaceMouse, ChangeStiffnesses, Believe, ChangeCircle, InjectFault, AimAtTarget>;
+using WithAmount = std::variant<HoldControl, MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo,
+                                GoToLandscapePoint, TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, MoveView,
+                                PanView, ChangeSpeed, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChangeStiffnesses,
+                                Believe, ChangeCircle, InjectFault, AimAtTarget>;
 // They answer what stands on the screen, with its button beside it.
 using OfWhatIsOpen =
     std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLesson, TakeReading, RevealHand, BelieveMeasurement,

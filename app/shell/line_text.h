@@ -1,0 +1,204 @@
+// A value of a recorded session's line as text, and back: what kinds of values Actions have. What has a name is written by
+// it, numbers in the shortest form that reads back exactly. Pure; any thread.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "app/base/quoted.h"
+#include "app/base/shell_word.h"
+#include "app/base/typed_text.h"
+#include "app/state/action.h"
+
+namespace ghostforce {
+
+inline constexpr std::string_view no_value = "none";
+
+// --- What has names ---
+
+template <typename Id>
+struct LineChoice {
+  Id id;
+  std::string_view name;
+};
+template <typename Id>
+using LineChoices = std::vector<LineChoice<Id>>;
+
+template <typename Id, typename Catalog>
+LineChoices<Id> choices_from(const Catalog& catalog) {
+  LineChoices<Id> choices;
+  for (const auto& entry : catalog) choices.push_back({entry.id, entry.name});
+  return choices;
+}
+
+inline LineChoices<StrategyId> choices_of(std::type_identity<StrategyId>) {
+  return choices_from<StrategyId>(strategy_catalog());
+}
+inline LineChoices<Face> choices_of(std::type_identity<Face>) {
+  return choices_from<Face>(face_catalog);
+}
+inline LineChoices<Compare> choices_of(std::type_identity<Compare>) {
+  return choices_from<Compare>(compare_catalog());
+}
+inline LineChoices<StageMode> choices_of(std::type_identity<StageMode>) {
+  auto choices = choices_from<StageMode>(stage_mode_catalog());
+  choices.push_back({StageMode::none, no_value});
+  return choices;
+}
+inline LineChoices<const Theme*> choices_of(std::type_identity<const Theme*>) {
+  LineChoices<const Theme*> choices;
+  for (const Theme& theme : theme_catalog()) choices.push_back({&theme, theme.name});
+  return choices;
+}
+inline LineChoices<PlotTab> choices_of(std::type_identity<PlotTab>) {
+  LineChoices<PlotTab> choices;
+  for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand})
+    choices.push_back({tab, plot_tab_name(tab)});
+  return choices;
+}
+inline LineChoices<bool> choices_of(std::type_identity<bool>) {
+  return {{false, "no"}, {true, "yes"}};
+}
+inline LineChoices<bool ViewOptions::*> choices_of(std::type_identity<bool ViewOptions::*>) {
+  return {{&ViewOptions::ghost_forces, "ghost-forces"},
+          {&ViewOptions::predictions, "predictions"},
+          {&ViewOptions::trails, "trails"}};
+}
+inline LineChoices<Dialog> choices_of(std::type_identity<Dialog>) {
+  return {{Dialog::none, no_value},
+          {Dialog::help, "help"},
+          {Dialog::doctor, "doctor"},
+          {Dialog::lessons, "lessons"},
+          {Dialog::open_scene, "open-scene"},
+          {Dialog::save_scene, "save-scene"},
+          {Dialog::save_picture, "save-picture"},
+          {Dialog::save_clip, "save-clip"},
+          {Dialog::save_plots, "save-plots"},
+          {Dialog::reset_preferences, "reset-preferences"}};
+}
+inline LineChoices<BeliefSource> choices_of(std::type_identity<BeliefSource>) {
+  return {{BeliefSource::typed, "typed"}, {BeliefSource::measured, "measured"}, {BeliefSource::live, "live"}};
+}
+inline LineChoices<SpaceMouseSettings::Mode> choices_of(std::type_identity<SpaceMouseSettings::Mode>) {
+  return {{SpaceMouseSettings::Mode::position, "position"}, {SpaceMouseSettings::Mode::rate, "speed"}};
+}
+inline LineChoices<SpaceMouseSettings::Up> choices_of(std::type_identity<SpaceMouseSettings::Up>) {
+  return {{SpaceMouseSettings::Up::lift, "lifting"}, {SpaceMouseSettings::Up::push_away, "pushing-away"}};
+}
+
+template <typename T>
+concept Named = requires {
+  choices_of(std::type_identity<T>{});
+};
+
+// --- A value, as text and back; `wanted` says what it has to be ---
+
+template <typename T>
+struct LineText;
+
+template <Named T>
+struct LineText<T> {
+  static std::string wanted() {
+    return fmt::format("one of {}", listed(names_of(choices_of(std::type_identity<T>{}))));
+  }
+  static std::string write(const T& value) {
+    const auto choices = choices_of(std::type_identity<T>{});
+    return std::string(std::ranges::find(choices, value, &LineChoice<T>::id)->name);
+  }
+  static std::optional<T> read(std::string_view text) {
+    const auto choices = choices_of(std::type_identity<T>{});
+    const auto found = std::ranges::find(choices, text, &LineChoice<T>::name);
+    return found == choices.end() ? std::nullopt : std::optional(found->id);
+  }
+};
+
+template <>
+struct LineText<double> {
+  static std::string wanted() { return "a number"; }
+  static std::string write(double value) { return fmt::format("{}", value); }
+  static std::optional<double> read(std::string_view text) {
+    const std::optional<double> value = number_in<double>(text);
+    return value && std::isnan(*value) ? std::nullopt : value;
+  }
+};
+
+template <std::integral T>
+requires(!std::same_as<T, bool>) struct LineText<T> {
+  static std::string wanted() { return "a whole number"; }
+  static std::string write(T value) { return fmt::format("{}", value); }
+  static std::optional<T> read(std::string_view text) { return number_in<T>(text); }
+};
+
+template <>
+struct LineText<std::string> {
+  static std::string wanted() { return "a text"; }
+  static std::string write(const std::string& value) { return value; }
+  static std::optional<std::string> read(std::string_view text) { return std::string(text); }
+};
+
+template <>
+struct LineText<Vector<2>> {
+  static std::string wanted() { return "two numbers with a comma between them"; }
+  static std::string write(const Vector<2>& value) { return fmt::format("{},{}", value.x, value.y); }
+  static std::optional<Vector<2>> read(std::string_view text) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto x = LineText<double>::read(text.substr(0, comma));
+    const auto y = LineText<double>::read(text.substr(std::min(comma + 1, text.size())));
+    return x && y ? std::optional(Vector<2>(*x, *y)) : std::nullopt;
+  }
+};
+
+template <>
+struct LineText<ZoomView::Place> {
+  static std::string wanted() { return "two numbers and a strategy, with commas between them"; }
+  static std::string write(const ZoomView::Place& place) {
+    return fmt::format("{},{}", LineText<Vector<2>>::write(place.at), LineText<StrategyId>::write(place.pane));
+  }
+  static std::optional<ZoomView::Place> read(std::string_view text) {
+    const std::size_t comma = std::min(text.rfind(','), text.size());
+    const auto at = LineText<Vector<2>>::read(text.substr(0, comma));
+    const auto pane = LineText<StrategyId>::read(text.substr(std::min(comma + 1, text.size())));
+    return at && pane ? std::optional(ZoomView::Place{*at, *pane}) : std::nullopt;
+  }
+};
+
+template <>
+struct LineText<std::vector<std::string>> {
+  static std::string wanted() { return "one or more words, quoted as for a shell"; }
+  static std::string write(const std::vector<std::string>& paths) {
+    std::vector<std::string> words;
+    for (const std::string& path : paths) words.push_back(shell_word(path));
+    return fmt::format("{}", fmt::join(words, " "));
+  }
+  static std::optional<std::vector<std::string>> read(std::string_view text) {
+    ShellWords split = split_shell_words(text);
+    if (!split.problem.empty() || split.words.empty()) return std::nullopt;
+    return std::move(split.words);
+  }
+};
+
+template <typename T>
+struct LineText<std::optional<T>> {
+  static std::string wanted() { return fmt::format("{}, or {}", LineText<T>::wanted(), no_value); }
+  static std::string write(const std::optional<T>& value) {
+    return value ? LineText<T>::write(*value) : std::string(no_value);
+  }
+  static std::optional<std::optional<T>> read(std::string_view text) {
+    if (text == no_value) return std::optional<T>();
+    const std::optional<T> value = LineText<T>::read(text);
+    return value ? std::optional(value) : std::nullopt;
+  }
+};
+
+}  // namespace ghostforce

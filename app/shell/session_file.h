@@ -1,0 +1,56 @@
+// A session as a file: how it began, and what the person did then, a line for each Action with its time. For bug reports,
+// tutorials and what a monkey did. docs/sessions.md describes the format. Not for the servo thread.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/files/read_error.h"
+#include "app/state/action.h"
+
+namespace ghostforce {
+
+struct SessionStart {
+  static constexpr int newest_format = 1;
+
+  int format = newest_format;
+  std::string program{};  // which build of it
+  std::string input{mouse_hand.name};
+  Face face = Face::stage;
+  StageMode mode = StageMode::none;
+  std::string lesson{};  // a name or a path; empty: none
+  std::string language{"en"};
+  int width = 1280;  // of the window [points]
+  int height = 800;
+  std::string scene{};  // as the text of a file
+};
+
+struct TimedAction {
+  double time_s = 0.0;  // real time since the session began
+  Action action;
+};
+
+struct RecordedSession {
+  SessionStart start;
+  std::vector<TimedAction> actions;  // in their order
+  double end_s = 0.0;                // the same time; where the file does not tell it, that of the last action
+};
+
+// Lines of the file, each with its end.
+std::string start_line(const SessionStart& start);
+std::string action_line(const TimedAction& timed);
+std::string end_line(double time_s);
+std::string session_text(const RecordedSession& session);
+
+// As a value of such a line: in quotes where it needs them.
+std::string line_value(std::string_view text);
+
+// Throws ReadError(wrong), one line per problem:
+//     FILE:LINE:COLUMN: what is wrong; what to do
+RecordedSession read_session(std::string_view text, std::string_view shown_path);
+// Throws ReadError; Failure(interrupted).
+RecordedSession load_session(const std::string& path);
+
+}  // namespace ghostforce

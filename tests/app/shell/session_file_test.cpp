@@ -1,0 +1,253 @@
+// Sessions as files: every Action comes back as it was, and what is wrong is told with its place.
+#include "app/shell/session_file.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <variant>
+#include <vector>
+
+#include "app/shell/action_kinds.h"
+#include "tests/support/places.h"
+#include "tests/support/shrink.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ghostforce::session_file_test {
+namespace {
+
+// --- A value that is not the usual one ---
+
+double other(double usual) {
+  return usual + 1.0 / 3.0;
+}
+int other(int usual) {
+  return usual - 7;
+}
+std::size_t other(std::size_t usual) {
+  return usual + 7;
+}
+bool other(bool usual) {
+  return !usual;
+}
+std::string other(const std::string& /*usual*/) {
+  return "it's \"a\" \\ name=\t\n\x01 with ñ";
+}
+Vector<2> other(const Vector<2>& usual) {
+  return usual + Vector<2>(-1e-300, 0.1);
+}
+StrategyId other(StrategyId /*usual*/) {
+  return StrategyId::anisotropic;
+}
+Face other(Face usual) {
+  return usual == Face::stage ? Face::workbench : Face::stage;
+}
+StageMode other(StageMode /*usual*/) {
+  return StageMode::ribbon;
+}
+Compare other(Compare /*usual*/) {
+  return Compare::active_only;
+}
+const Theme* other(const Theme* /*usual*/) {
+  return &theme_catalog().back();
+}
+PlotTab other(PlotTab /*usual*/) {
+  return PlotTab::hand;
+}
+Dialog other(Dialog /*usual*/) {
+  return Dialog::save_clip;
+}
+BeliefSource other(BeliefSource /*usual*/) {
+  return BeliefSource::live;
+}
+SpaceMouseSettings::Mode other(SpaceMouseSettings::Mode /*usual*/) {
+  return SpaceMouseSettings::Mode::rate;
+}
+SpaceMouseSettings::Up other(SpaceMouseSettings::Up /*usual*/) {
+  return SpaceMouseSettings::Up::push_away;
+}
+bool ViewOptions::*other(bool ViewOptions::* /*usual*/) {
+  return &ViewOptions::trails;
+}
+std::vector<std::string> other(const std::vector<std::string>& /*usual*/) {
+  return {"a b.toml", "it's.png", "\"c\".csv"};
+}
+std::optional<double> other(const std::optional<double>& /*usual*/) {
+  return std::numeric_limits<double>::infinity();
+}
+std::optional<ZoomView::Place> other(const std::optional<ZoomView::Place>& /*usual*/) {
+  return ZoomView::Place{{0.1, -0.2}, StrategyId::naive};
+}
+
+template <typename T>
+bool is_same(const T& one, const T& two) {
+  return one == two;
+}
+bool is_same(const std::optional<ZoomView::Place>& one, const std::optional<ZoomView::Place>& two) {
+  return one.has_value() == two.has_value() && (!one || (one->at == two->at && one->pane == two->pane));
+}
+
+std::string start() {
+  return start_line({.program = "1.2.3", .scene = "format = 1\n"});
+}
+
+// Empty: all is well.
+std::string problems_of(const std::string& text) {
+  try {
+    read_session(text, "F");
+    return {};
+  } catch (const ReadError& error) {
+    EXPECT_EQ(error.kind(), ReadError::Kind::wrong);
+    return error.what();
+  }
+}
+
+TEST(SessionFile, EveryActionComesBackWithEveryField) {
+  std::size_t count = 0;
+  const auto expect_comes_back = [&]<typename Object, typename... Fields>(const LineKind<Object, Fields...>& kind) {
+    Object done{};
+    const auto change = [&](const auto& field) { field.of(done) = other(field.of(done)); };
+    std::apply([&](const auto&... fields) { (change(fields), ...); }, kind.fields);
+    const std::string line = action_line({0.1, done});
+    const RecordedSession back = read_session(start() + line, "F");
+    ASSERT_EQ(back.actions.size(), 1U) << line;
+    EXPECT_EQ(back.actions[0].time_s, 0.1);
+    EXPECT_EQ(action_line(back.actions[0]), line);
+    const Object& read = std::get<Object>(back.actions[0].action);
+    const auto expect_same = [&](const auto& field) {
+      EXPECT_TRUE(is_same(field.of(read), field.of(done))) << line << field.name;
+    };
+    std::apply([&](const auto&... fields) { (expect_same(fields), ...); }, kind.fields);
+    ++count;
+  };
+  std::apply([&](const auto&... kinds) { (expect_comes_back(kinds), ...); }, action_kinds);
+  EXPECT_EQ(count, std::variant_size_v<Action>);
+}
+
+TEST(SessionFile, TheDocumentationNamesEveryAction) {
+  const std::string page = read_whole(source_path("/docs/sessions.md"));
+  const auto expect_named = [&](const auto& kind) {
+    std::string row = "`" + std::string(kind.name);
+    const auto add = [&](const auto& field) { row += fmt::format(" {}=", field.name); };
+    std::apply([&](const auto&... fields) { (add(fields), ...); }, kind.fields);
+    EXPECT_NE(page.find(row + "`"), std::string::npos) << "docs/sessions.md lacks " << row;
+  };
+  std::apply([&](const auto&... kinds) { (expect_named(kinds), ...); }, action_kinds);
+}
+
+TEST(SessionFile, EveryNameOfACatalogComesBack) {
+  std::string text = start();
+  std::vector<TimedAction> actions;
+  for (const Strategy& each : strategy_catalog()) actions.push_back({1.0, ChooseByNumber{each.id}});
+  for (const FaceEntry& each : face_catalog) actions.push_back({1.0, ShowFace{each.id}});
+  for (const StageModeEntry& each : stage_mode_catalog()) actions.push_back({1.0, ToggleMode{each.id}});
+  for (int i = 0; i <= static_cast<int>(Dialog::reset_preferences); ++i)
+    actions.push_back({1.0, OpenDialog{static_cast<Dialog>(i)}});
+  for (const auto source : {BeliefSource::typed, BeliefSource::measured, BeliefSource::live})
+    actions.push_back({1.0, Believe{source, {}}});
+  for (const auto option : {&ViewOptions::ghost_forces, &ViewOptions::predictions, &ViewOptions::trails})
+    actions.push_back({1.0, ToggleViewOption{option}});
+  for (const TimedAction& each : actions) text += action_line(each);
+  const RecordedSession back = read_session(text, "F");
+  ASSERT_EQ(back.actions.size(), actions.size());
+  for (std::size_t i = 0; i < actions.size(); ++i) EXPECT_EQ(action_line(back.actions[i]), action_line(actions[i]));
+  EXPECT_EQ(text.find("= ", start().size()), std::string::npos) << "a name is missing";
+}
+
+TEST(SessionFile, HowItBeganComesBack) {
+  const SessionStart start{.program = "1.2",
+                           .input = "virtual-falcon",
+                           .face = Face::workbench,
+                           .mode = StageMode::why,
+                           .lesson = "my lesson.toml",
+                           .language = "es",
+                           .width = 1000,
+                           .height = 700,
+                           .scene = "title = \"a\"\n# \\ \n"};
+  const RecordedSession session{start, {{0.5, TogglePause{}}}, 2.5};
+  const RecordedSession back = read_session(session_text(session), "F");
+  EXPECT_EQ(start_line(back.start), start_line(start));
+  EXPECT_EQ(back.start.scene, start.scene);
+  EXPECT_EQ(back.start.lesson, start.lesson);
+  EXPECT_EQ(back.end_s, 2.5);
+}
+
+// As a program that has crashed leaves it.
+TEST(SessionFile, WithoutItsEndItEndsWithTheLastAction) {
+  EXPECT_EQ(read_session(start() + "0.25 undo\n", "F").end_s, 0.25);
+  EXPECT_EQ(read_session(start(), "F").end_s, 0.0);
+}
+
+TEST(SessionFile, WhatIsWrongIsToldWithItsPlace) {
+  struct Wrong {
+    std::string lines;  // after the first
+    std::string told;
+  };
+  for (const Wrong& wrong : {
+           Wrong{"1 fly\n", "F:2:3: 'fly' is nothing that can be done; name an action"},
+           Wrong{"1 toggle-paus\n", "did you mean 'toggle-pause'?"},
+           Wrong{"1 turn-wall-to\n", "F:2:3: turn-wall-to lacks angle; add angle=…, a number"},
+           Wrong{"1 turn-wall-to angle=1 angle=2\n", "F:2:24: angle is given twice; remove one"},
+           Wrong{"1 turn-wall-to angle=1 angel=2\n",
+                 "F:2:24: turn-wall-to has no 'angel'; remove it; did you mean 'angle'?"},
+           Wrong{"1 turn-wall-to angle=nan\n", "F:2:16: angle is 'nan'; give a number"},
+           Wrong{"1 turn-wall-to angle\n", "turn-wall-to has no 'angle'"},
+           Wrong{"1 turn-wall-to angle=\"1\n", "F:2:22: the quote is not closed"},
+           Wrong{"1 save-scene path=\"a\\qb\"\n", "F:2:21: after this backslash"},
+           Wrong{"1 save-scene path=\"a\"b\n", "F:2:22: something follows the quote"},
+           Wrong{"1 move-hand-to goal=1\n", "F:2:16: goal is '1'; give two numbers with a comma"},
+           Wrong{"1 choose-by-number id=best\n", "give one of full, naive, anisotropic"},
+           Wrong{"1 drop-files paths=\"\"\n", "give one or more words"},
+           Wrong{"nan undo\n", "F:2:1: 'nan' is not a time"},
+           Wrong{"inf undo\n", "F:2:1: 'inf' is not a time"},
+           Wrong{"-1 undo\n", "F:2:1: '-1' is not a time"},
+           Wrong{"undo\n", "F:2:1: 'undo' is not a time"},
+           Wrong{"2 undo\n1.5 redo\n", "F:3:1: the time goes back, from 2 s to 1.5 s; put the lines in their order"},
+           Wrong{"2\n", "F:2:1: the line has a time alone"},
+           Wrong{"\n", "F:2:1: the line is empty; remove it"},
+           Wrong{"2 end\n3 undo\n", "F:3:1: something follows the end"},
+           Wrong{"2 undo", "F:2:7: the file ends within this line"},
+       }) {
+    EXPECT_NE(problems_of(start() + wrong.lines).find(wrong.told), std::string::npos)
+        << wrong.lines << problems_of(start() + wrong.lines);
+  }
+  EXPECT_EQ(problems_of(start() + "1 undo\n"), "");
+}
+
+TEST(SessionFile, AllThatIsWrongIsToldAtOnce) {
+  const std::string told = problems_of(start() + "1 fly\n2 swim far=1\n1 undo\n");
+  for (const char* const place : {"F:2:3", "F:3:3", "F:4:1"}) EXPECT_NE(told.find(place), std::string::npos) << told;
+}
+
+TEST(SessionFile, OnlyASessionIsRead) {
+  EXPECT_NE(problems_of("").find("F: the file is empty"), std::string::npos);
+  EXPECT_NE(problems_of("strategy,t_s\n").find("F:1:1: this is no recorded session"), std::string::npos);
+  const std::string newer = problems_of("ghostforce-session format=2 wings=4\n1 fly\n");
+  EXPECT_NE(newer.find("F:1:20: the format 2 is not known"), std::string::npos) << newer;
+  EXPECT_EQ(newer.find('\n'), std::string::npos) << newer;
+  std::string small = start();
+  small.replace(small.find("width=1280"), 10, "width=0");
+  EXPECT_NE(problems_of(small).find("no window has 0×800 points"), std::string::npos);
+}
+
+TEST(Shrink, FindsTheTwoOfFiveHundredThatItTakes) {
+  std::vector<int> all(500);
+  for (int i = 0; i < 500; ++i) all[static_cast<std::size_t>(i)] = i;
+  int tries = 0;
+  const auto fails = [&](const std::vector<int>& list) {
+    ++tries;
+    const auto first = std::ranges::find(list, 17);
+    return std::find(first, list.end(), 401) != list.end();
+  };
+  EXPECT_EQ(shrink<int>(all, fails), (std::vector{17, 401}));
+  EXPECT_LT(tries, 100);
+  EXPECT_TRUE(shrink<int>(all, [](const auto&) { return true; }).empty());
+  EXPECT_EQ(shrink<int>(all, [](const auto& list) { return list.size() == 500; }), all);
+  // What was found in time.
+  EXPECT_EQ(shrink<int>(all, fails, 1).size(), 500U);
+}
+
+}  // namespace
+}  // namespace ghostforce::session_file_test
