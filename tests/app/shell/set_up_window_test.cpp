@@ -136,6 +136,7 @@ TEST_F(SetUpWindow, UndoOfAPasteInALessonBringsBackWhatWasBeforeIt) {
 TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {
   press(key::right);
   const auto before = set_up_values(seen());
+  const std::string undo = session().undo_offer.undo;
   for (const std::string text : {"", "Dear colleague,", "ghostforce run wal45", "ghostforce run --record x.csv",
                                  "ghostforce run 'wall45", "\x1b[2J"}) {
     paste(text);
@@ -144,7 +145,7 @@ TEST_F(SetUpWindow, APasteThatIsNoSetUpIsSaidAndChangesNothing) {
     EXPECT_EQ(set_up_values(seen()), before);
     press(key::escape);
   }
-  EXPECT_EQ(session().undo_offer.undo, "");
+  EXPECT_EQ(session().undo_offer.undo, undo);
 }
 
 TEST_F(SetUpWindow, KeepsTheInput) {
