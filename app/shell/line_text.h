@@ -75,17 +75,38 @@ inline LineChoices<bool ViewOptions::*> choices_of(std::type_identity<bool ViewO
           {&ViewOptions::predictions, "predictions"},
           {&ViewOptions::trails, "trails"}};
 }
+constexpr std::string_view dialog_name(Dialog dialog) noexcept {
+  switch (dialog) {
+    case Dialog::none:
+      return no_value;
+    case Dialog::help:
+      return "help";
+    case Dialog::doctor:
+      return "doctor";
+    case Dialog::lessons:
+      return "lessons";
+    case Dialog::open_scene:
+      return "open-scene";
+    case Dialog::save_scene:
+      return "save-scene";
+    case Dialog::save_picture:
+      return "save-picture";
+    case Dialog::save_clip:
+      return "save-clip";
+    case Dialog::save_plots:
+      return "save-plots";
+    case Dialog::palette:
+      return "palette";
+    case Dialog::reset_preferences:
+      return "reset-preferences";
+  }
+  return no_value;
+}
 inline LineChoices<Dialog> choices_of(std::type_identity<Dialog>) {
-  return {{Dialog::none, no_value},
-          {Dialog::help, "help"},
-          {Dialog::doctor, "doctor"},
-          {Dialog::lessons, "lessons"},
-          {Dialog::open_scene, "open-scene"},
-          {Dialog::save_scene, "save-scene"},
-          {Dialog::save_picture, "save-picture"},
-          {Dialog::save_clip, "save-clip"},
-          {Dialog::save_plots, "save-plots"},
-          {Dialog::reset_preferences, "reset-preferences"}};
+  LineChoices<Dialog> choices;
+  for (int i = 0; i <= static_cast<int>(Dialog::reset_preferences); ++i)
+    choices.push_back({static_cast<Dialog>(i), dialog_name(static_cast<Dialog>(i))});
+  return choices;
 }
 inline LineChoices<BeliefSource> choices_of(std::type_identity<BeliefSource>) {
   return {{BeliefSource::typed, "typed"}, {BeliefSource::measured, "measured"}, {BeliefSource::live, "live"}};

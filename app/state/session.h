@@ -62,8 +62,8 @@ enum class Dialog : std::uint8_t {
   save_picture,
   save_clip,
   save_plots,
-  reset_preferences,
-  palette
+  palette,
+  reset_preferences  // the last one: app/shell/line_text.h walks them all
 };
 
 // What stands in the fields of the dialog that is open.
