@@ -130,7 +130,11 @@ void Application::take_back(bool undo) {
   if (!wanted) return;
   if (wanted->scene == session_.scene) {
     hand_following_.restore(wanted->settings, wanted->belief_source, session_);
-    if (session_.pointer_moves_goal && wanted->goal_is_chosen) session_.goal = wanted->goal;
+    const bool moves_goal = session_.pointer_moves_goal && wanted->goal_is_chosen && session_.goal != wanted->goal;
+    if (moves_goal) {
+      session_.goal = wanted->goal;
+      if (session_.face == Face::stage) session_.fits_view = true;  // the view may have followed the hand elsewhere
+    }
   } else {
     show(*wanted);
   }

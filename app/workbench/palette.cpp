@@ -113,13 +113,14 @@ void draw_palette(const PanelContext& context) {
   const std::vector<PaletteEntry> entries = palette_catalog(session, context.loop);
   const float width = dialog_field_width(palette_width, context);
   const std::string sought_before = form.sought;
+  const bool is_new = form.belongs_to != Dialog::palette;
   ImGui::SetNextItemWidth(width);
   // After a click into the list, too.
-  if (form.belongs_to != Dialog::palette || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
+  if (is_new || !ImGui::IsAnyItemActive()) ImGui::SetKeyboardFocusHere();
   const bool entered = search_field("##sought", said.hint.data(), form.sought);
   const bool is_active = ImGui::IsItemActive();
   const std::vector<std::size_t> found = find_in_palette(entries, form.sought);
-  const bool is_other = form.sought != sought_before;
+  const bool is_other = is_new || form.sought != sought_before;
   if (is_other) form.marked_action = 0;
   const bool has_moved = (is_active && move_palette_mark(form.marked_action, found.size())) || is_other;
   std::size_t chosen = draw_found(context, entries, found, width, has_moved);

@@ -111,6 +111,10 @@ TEST_F(PaletteWindow, ArrowsAndPagesMoveTheMark) {
   EXPECT_GT(mark, 40U);
   frames(3);
   EXPECT_EQ(session().form.marked_action, mark) << "it is in sight";
+  press(key::escape);
+  open_palette();
+  frames(2);
+  EXPECT_EQ(session().form.marked_action, 0U) << "it begins anew at the top";
   type("s");
   EXPECT_EQ(session().form.marked_action, 0U);
 }

@@ -47,6 +47,22 @@ TEST_F(SessionTest, WhereTheHandPullsIsTakenBackAndDoneAgain) {
   EXPECT_EQ(session().goal, nudged);
 }
 
+// The view has followed the hand, and comes back with it.
+TEST_F(SessionTest, AHandThatIsTakenBackIsInSight) {
+  open({.face = Face::stage});
+  frames(2);
+  const SceneView view = session().stage_shown;
+  const Vector<2> start = session().goal;
+  session().goal = start + Vector<2>(0.05, 0.05);
+  frames(2);
+  session().stage_shown.center += Vector<2>(0.3, 0.0);
+  frames(2);
+  undo();
+  frames(2);
+  EXPECT_EQ(session().goal, start);
+  EXPECT_NEAR(session().stage_shown.center.x, view.center.x, 1e-9);
+}
+
 TEST_F(SessionTest, EveryChangeOfASettingIsTakenBackAndDoneAgain) {
   const Settings start = session().settings;
   press(key::digit_3);
