@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
+#include "app/state/key_bindings.h"
 
 namespace ghostforce::palette_search_test {
 namespace {
