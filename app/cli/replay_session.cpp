@@ -45,6 +45,7 @@ std::string play_in_window(SessionReplay& replay, const Application& application
   using Clock = std::chrono::steady_clock;
   const Clock::time_point began = Clock::now();
   std::string result;
+  say("A replay: you only watch. Close the window to end it.\n");
   while (!window.should_close()) {
     stop_if_interrupted();
     replay.step();

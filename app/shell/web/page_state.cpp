@@ -27,9 +27,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In the order of their ids.
-constexpr std::array dialog_names{"none",       "help",         "device",    "lessons",    "open",
-                                  "save_scene", "save_picture", "save_clip", "save_plots", "reset_preferences",
-                                  "palette"};
+constexpr std::array dialog_names{"none",       "help",       "device",           "lessons",
+                                  "open",       "save_scene", "save_picture",     "save_clip",
+                                  "save_plots", "palette",    "reset_preferences"};
+static_assert(dialog_names.size() == static_cast<std::size_t>(Dialog::reset_preferences) + 1);
 constexpr std::array outcome_names{"open", "right", "wrong", "shown"};
 constexpr std::array question_names{"", "choose", "guess", "task"};
 
