@@ -1,6 +1,5 @@
 #include "app/runs/recording.h"
 
-#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -18,6 +17,7 @@
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/files/disk_sync.h"
+#include "app/files/growing_file.h"
 #include "app/files/output_file.h"
 #include "app/files/run_file.h"
 
@@ -74,20 +74,14 @@ bool SampleText::append(fmt::memory_buffer& lines, const Sample& sample) {
 
 Recording::Recording(const std::string& path, const Scene& scene, Servo& servo, std::uint32_t number)
     : path_(path), servo_(servo), number_(number), text_(scene.settings), found_at_(path) {
-  const auto fail = [&](int error) {
-    return Failure(ExitCode::file_trouble,
-                   error == EEXIST
-                       ? fmt::format("{} already exists, and a recording never overwrites a file; choose another name",
-                                     quoted_text(path, longest_path))
-                       : fmt::format("{} cannot be written: {}", quoted_text(path, longest_path), reason_of(error)));
-  };
-  descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-  if (descriptor_ < 0) throw fail(errno);
+  constexpr std::string_view kind = "a recording";
+  descriptor_ = open_growing_file(path);
+  if (descriptor_ < 0) throw no_growing_file(path, kind, errno);
   lines_.append(run_header(scene, recording_columns));
   if (!write_lines()) {
     close(descriptor_);
     unlink(path.c_str());
-    throw fail(error_);
+    throw no_growing_file(path, kind, error_);
   }
   worker_.emplace("recorder", writing_period_s, [this] {
     write_now_and_then();
@@ -163,15 +157,7 @@ void Recording::write_samples() {
 
 // False, and no more is written from then on, where the file takes no more. What is in it stays: whole lines.
 bool Recording::write_lines() noexcept {
-  std::string_view rest(lines_.data(), lines_.size());
-  while (!rest.empty() && error_ == 0) {
-    const ssize_t count = write(descriptor_, rest.data(), rest.size());
-    if (count >= 0) {
-      rest.remove_prefix(static_cast<std::size_t>(count));
-    } else if (errno != EINTR) {
-      fail(errno);
-    }
-  }
+  if (error_ == 0) fail(append_whole(descriptor_, {lines_.data(), lines_.size()}));
   if (error_ == 0) {
     written_ += lines_.size();
     bytes_ = written_;

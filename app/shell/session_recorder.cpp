@@ -1,38 +1,27 @@
 #include "app/shell/session_recorder.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <cerrno>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 
 #include <fmt/format.h>
 
-#include "app/base/failure.h"
 #include "app/base/quoted.h"
+#include "app/files/growing_file.h"
 #include "app/files/output_file.h"
 
 namespace ghostforce {
 
-SessionRecorder::SessionRecorder(const std::string& path, const SessionStart& start) : path_(path) {
-  descriptor_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-  const bool exists = descriptor_ < 0 && errno == EEXIST;
-  error_ = descriptor_ < 0 ? errno : 0;
+SessionRecorder::SessionRecorder(const std::string& path, const SessionStart& start)
+    : path_(path), descriptor_(open_growing_file(path)) {
+  constexpr std::string_view kind = "a session";
+  if (descriptor_.number() < 0) throw no_growing_file(path, kind, errno);
   append(start_line(start));
   if (error_ == 0) return;
-  if (descriptor_ >= 0) {
-    close(descriptor_);
-    unlink(path.c_str());
-  }
-  const std::string shown = quoted_text(path, longest_path);
-  throw Failure(
-      ExitCode::file_trouble,
-      exists ? fmt::format("{} already exists, and a session never overwrites a file; choose another name", shown)
-             : fmt::format("{} cannot be written: {}", shown, reason_of(error_)));
-}
-
-SessionRecorder::~SessionRecorder() {
-  close(descriptor_);
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  throw no_growing_file(path, kind, error_);
 }
 
 void SessionRecorder::write_choices(const Session& session) {
@@ -49,15 +38,7 @@ std::string SessionRecorder::problem() const {
 }
 
 void SessionRecorder::append(const std::string& line) noexcept {
-  std::string_view rest = line;
-  while (error_ == 0 && !rest.empty()) {
-    const ssize_t written = ::write(descriptor_, rest.data(), rest.size());
-    if (written >= 0) {
-      rest.remove_prefix(static_cast<std::size_t>(written));
-    } else if (errno != EINTR) {
-      error_ = errno;
-    }
-  }
+  if (error_ == 0) error_ = append_whole(descriptor_.number(), line);
 }
 
 }  // namespace ghostforce

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "app/files/descriptor.h"
 #include "app/shell/session_file.h"
 
 namespace ghostforce {
@@ -12,9 +13,6 @@ class SessionRecorder {
  public:
   // A new file. Throws Failure(file_trouble), also where there is one already.
   SessionRecorder(const std::string& path, const SessionStart& start);
-  ~SessionRecorder();
-  SessionRecorder(const SessionRecorder&) = delete;
-  SessionRecorder& operator=(const SessionRecorder&) = delete;
 
   // What the person had chosen before: preferences, as Actions at the beginning.
   void write_choices(const Session& session);
@@ -30,7 +28,7 @@ class SessionRecorder {
   void append(const std::string& line) noexcept;
 
   std::string path_;
-  int descriptor_ = -1;
+  Descriptor descriptor_;
   int error_ = 0;
 };
 
