@@ -14,7 +14,7 @@ namespace {
 
 void compose_landscape(benchmark::State& state) {
   Settings settings = load_scene("wall45").settings;
-  settings.stiffnesses.believed_k_u = 0.3 * settings.stiffnesses.k_u;  // so that there is too little somewhere
+  settings.stiffnesses.believed_k_u = 0.3 * settings.stiffnesses.k_u;  // somewhere there is too little
   const MeasureText measure = measure_vector_text;
   const Camera camera{{0.0, 0.0}, 4000.0, {1280.0, 800.0}};
   const double dial = 0.01 * static_cast<double>(state.range(0));

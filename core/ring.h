@@ -2,7 +2,7 @@
 // room. A value is written where it stays until it is read: the servo's sample, 600 bytes, costs a fifth less per tick
 // than through a queue that copies it in and takes locked instructions, as those of libraries do.
 //
-// One thread calls slot() and put(), one thread calls take(); neither ever waits. Only the constructor allocates. Plain
+// One thread calls slot() and push(), one thread calls try_pop(); neither ever waits. Only the constructor allocates. Plain
 // acquire and release, no fences, so that ThreadSanitizer can check it.
 #pragma once
 
@@ -20,7 +20,7 @@ namespace ghostforce {
 template <typename T, std::size_t capacity>
 class Ring {
   static_assert(std::is_trivially_copyable_v<T>, "a value that crosses threads is copied whole, byte for byte");
-  static_assert(std::has_single_bit(capacity), "so that a serial number's place is its last bits");
+  static_assert(std::has_single_bit(capacity), "the place of a serial number is its last bits");
 
  public:
   // Writes to all of its memory once, so that the first lap does not wait for the system to find it. Throws
@@ -29,30 +29,30 @@ class Ring {
 
   // Writer only. Where the next value goes, with whatever was there before; null while the ring is full.
   T* slot() noexcept {
-    const std::uint64_t put = put_.load(std::memory_order_relaxed);
-    if (put - taken_as_seen_ == capacity) {
-      // Acquire: the reader has done with what it took.
-      taken_as_seen_ = taken_.load(std::memory_order_acquire);
-      if (put - taken_as_seen_ == capacity) return nullptr;
+    const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
+    if (pushed - popped_as_seen_ == capacity) {
+      // Acquire: the reader has done with what it popped.
+      popped_as_seen_ = popped_.load(std::memory_order_acquire);
+      if (pushed - popped_as_seen_ == capacity) return nullptr;
     }
-    return at(put);
+    return at(pushed);
   }
 
   // Writer only, after a slot() that was not null: its value is complete, and the reader's from now on.
-  void put() noexcept {
-    const std::uint64_t next = put_.load(std::memory_order_relaxed) + 1;
-    put_.store(next, std::memory_order_release);
+  void push() noexcept {
+    const std::uint64_t next = pushed_.load(std::memory_order_relaxed) + 1;
+    pushed_.store(next, std::memory_order_release);
     // A ring larger than the caches: the next slot is on its way until the next value comes.
     const auto* ahead = reinterpret_cast<const std::byte*>(at(next));
     for (std::size_t line = 0; line < sizeof(T); line += 64) __builtin_prefetch(ahead + line, 1);
   }
 
   // Reader only. Takes the oldest value out; false if there is none.
-  bool take(T& value) noexcept {
-    const std::uint64_t taken = taken_.load(std::memory_order_relaxed);
-    if (taken == put_.load(std::memory_order_acquire)) return false;
-    copy_whole(*at(taken), value);
-    taken_.store(taken + 1, std::memory_order_release);
+  bool try_pop(T& value) noexcept {
+    const std::uint64_t popped = popped_.load(std::memory_order_relaxed);
+    if (popped == pushed_.load(std::memory_order_acquire)) return false;
+    copy_whole(*at(popped), value);
+    popped_.store(popped + 1, std::memory_order_release);
     return true;
   }
 
@@ -65,9 +65,9 @@ class Ring {
 
   std::unique_ptr<Slot[]> memory_;
   // A cache line each, so that writer and reader do not slow each other down.
-  alignas(64) std::atomic<std::uint64_t> put_{0};    // so many values were put in
-  std::uint64_t taken_as_seen_ = 0;                  // the writer's: at least so many were taken out
-  alignas(64) std::atomic<std::uint64_t> taken_{0};  // so many values were taken out
+  alignas(64) std::atomic<std::uint64_t> pushed_{0};    // values pushed
+  std::uint64_t popped_as_seen_ = 0;                  // as the writer last read popped_
+  alignas(64) std::atomic<std::uint64_t> popped_{0};  // values popped
 };
 
 }  // namespace ghostforce

@@ -12,7 +12,7 @@
 
 namespace ghostforce {
 
-// Both ends included.
+// Its ends are included.
 struct NumberRange {
   double least;
   double greatest;
@@ -24,7 +24,7 @@ struct NumberRange {
 
 // A hand has some 10 to 10,000 N/m; a value far outside is a typing error [N/m].
 inline constexpr NumberRange user_stiffness_range{0.1, 1e6};
-// Both ends of what a renderer may be given, k_r and k_t [N/m]; with a k_r of 0 there is no force.
+// The range of what a renderer may be given, k_r and k_t [N/m]; with a k_r of 0 there is no force.
 inline constexpr NumberRange rendering_stiffness_range{0.0, 1e6};
 inline constexpr NumberRange tracking_stiffness_range{0.1, 1e6};
 // ρ where a person chooses it: three decades to either side of the naive one.

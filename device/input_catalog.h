@@ -29,7 +29,7 @@ struct InputOptions {
 };
 
 struct InputKind : InputChoice {
-  bool is_scripted = false;        // the same goal at the same tick every time: it starts where its path does
+  bool is_scripted = false;        // gives the same goal at the same tick in each run, and starts where its path does
   bool needs_recording = false;    // InputOptions::recorded_hand
   bool hand_is_simulated = false;  // though it has motors: a rehearsal
 };

@@ -54,7 +54,7 @@ Worker::~Worker() {
   end();
 }
 
-void Worker::look() {}
+void Worker::poll() {}
 
 void Worker::end() noexcept {
   if (!work_->thread.joinable()) return;

@@ -19,7 +19,7 @@ class Worker {
   Worker& operator=(const Worker&) = delete;
 
   // Often: without a thread this is where a step that is due is made.
-  void look();
+  void poll();
 
   // When it returns no step is under way, and none will follow. A last one is the owner's matter. May be called again.
   void end() noexcept;

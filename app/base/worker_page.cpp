@@ -21,7 +21,7 @@ Worker::Worker(const std::string&, double period_s, std::function<bool()> step)
 
 Worker::~Worker() = default;
 
-void Worker::look() {
+void Worker::poll() {
   if (!work_->is_running || Work::Clock::now() - work_->last < work_->period) return;
   work_->is_running = work_->step();
   work_->last = Work::Clock::now();

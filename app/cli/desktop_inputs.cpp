@@ -46,8 +46,8 @@ std::vector<InputEntry> simulated_inputs() {
   return portable_inputs(readiness_with_motors);
 }
 
-EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
-                        const EndOfVisit& of_input) {
+EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
+                        const EndOfRun& of_input) {
   if (const OffReasonEntry& reason = entry_of(motors.reason); reason.is_safety_limit) {
     return {ExitCode::safety_stop, fmt::format("The motors went off ({}). {}", reason.title, reason.remedy)};
   }

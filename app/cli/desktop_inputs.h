@@ -22,9 +22,9 @@ std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable = {});
 // Without the hardware.
 std::vector<InputEntry> simulated_inputs();
 
-// How a visit at the window ended, as far as the input's device is concerned. Pure.
+// How a run of the window ended, as far as the input's device is concerned. Pure.
 // `readiness`: of the input, empty where it has none; `of_input`: what its link says.
-EndOfVisit end_of_visit(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
-                        const EndOfVisit& of_input);
+EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
+                        const EndOfRun& of_input);
 
 }  // namespace ghostforce

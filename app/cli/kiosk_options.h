@@ -1,4 +1,4 @@
-// --kiosk, the visitor's mode (app/state/visit.h, docs/kiosk.md), and what cannot be asked for together with it.
+// --kiosk, the visitor's mode (app/state/kiosk_visit.h, docs/kiosk.md), and what cannot be asked for together with it.
 #pragma once
 
 #include <memory>

@@ -14,7 +14,7 @@ class Lines {
     try {
       output_.write(line + "\n");
       output_.commit();
-    } catch (const ReaderGone&) {
+    } catch (const BrokenPipe&) {
       is_read_ = false;
     }
   }

@@ -44,8 +44,8 @@ void ReadingAloud::print(Application& application, double interval_s) {
     application.show_notice(fmt::format("The values are no longer printed: {}.", reason_of(output_problem_)), true);
     return;
   }
-  if (!printed_->wait(interval_s)) return;
-  if (auto line = printed_->look(application.stage_reading(), application.shown().snapshot.time_s)) {
+  if (!printed_->advance(interval_s)) return;
+  if (auto line = printed_->poll(application.stage_reading(), application.shown().snapshot.time_s)) {
     writer_->put(std::move(*line));
   }
 }

@@ -197,7 +197,7 @@ int run(const RunOptions& options) {
        .mode = set_up.mode,
        .lesson = lesson,
        .language = preferences.language,
-       .visit = options.kiosk.lessons(lesson),
+       .kiosk_visit = options.kiosk.lessons(lesson),
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
@@ -286,8 +286,8 @@ int run(const RunOptions& options) {
     return static_cast<int>(ExitCode::file_trouble);
   if (!options.exit_after_s) return static_cast<int>(ExitCode::done);
   // Scripts want to know; a person has seen it on the screen.
-  const EndOfVisit end =
-      end_of_visit(application.report().motors, application.reading().readiness, application.input_link().end());
+  const EndOfRun end =
+      end_of_run(application.report().motors, application.reading().readiness, application.input_link().end());
   if (!end.words.empty()) say("{}\n", end.words);
   return static_cast<int>(end.code);
 }

@@ -60,7 +60,7 @@ std::string ClipboardTool::copy_png(std::string_view png, DisplayKind display) {
   return {};
 }
 
-std::string ClipboardTool::look() {
+std::string ClipboardTool::poll() {
   std::string problem;
   std::erase_if(children_, [&problem](pid_t child) {
     int status = 0;

@@ -25,7 +25,7 @@ class ClipboardTool {
   std::string copy_png(std::string_view png, DisplayKind display);
 
   // Often: buries those that have ended. Returns what to tell of one that has failed; empty: none has.
-  std::string look();
+  std::string poll();
 
   // That have not ended yet.
   std::size_t running() const noexcept { return children_.size(); }

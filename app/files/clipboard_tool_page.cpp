@@ -31,7 +31,7 @@ std::string ClipboardTool::copy_png(std::string_view png, DisplayKind) {
   return {};
 }
 
-std::string ClipboardTool::look() {
+std::string ClipboardTool::poll() {
   std::string problem;
   std::erase_if(children_, [&problem](pid_t copy) {
     const int state = state_of_copy(copy);

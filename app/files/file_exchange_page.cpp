@@ -40,7 +40,7 @@ EM_JS(void, listen_for_files, (), {
   const chooser = document.getElementById("file-chooser");
   chooser.addEventListener("change", async () => {
     await take([...chooser.files]);
-    chooser.value = "";  // so that the same file can be chosen again
+    chooser.value = "";  // otherwise the same file could not be chosen again
   });
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {

@@ -244,7 +244,7 @@ bool OutputFile::is_terminal() const noexcept {
 
 void OutputFile::fail(int error) const {
   if (error == EINTR) stop_if_interrupted();
-  if (error == EPIPE) throw ReaderGone();
+  if (error == EPIPE) throw BrokenPipe();
   throw Failure(ExitCode::file_trouble,
                 fmt::format("{} cannot be written: {}", quoted_text(shown_, longest_path), reason_of(error)));
 }

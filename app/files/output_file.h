@@ -3,7 +3,7 @@
 // one. Without commit() nothing is left behind. "-" is the standard output; it, pipes and devices take what is written
 // as it comes. Not for the servo thread.
 //
-// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or ReaderGone.
+// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or BrokenPipe.
 #pragma once
 
 #include <sys/types.h>
@@ -18,7 +18,7 @@
 namespace ghostforce {
 
 // Nobody reads a pipe any more (head, less): the program ends without a word, and nothing has gone wrong.
-struct ReaderGone {};
+struct BrokenPipe {};
 
 class OutputFile {
  public:

@@ -26,7 +26,7 @@ PngText software_text() {
 
 std::string png_bytes(const Image& image, std::span<const PngText> texts) {
   constexpr int compression_level = 3;
-  constexpr std::size_t piece_size = 8192;  // so that a reader needs little memory
+  constexpr std::size_t piece_size = 8192;  // a reader needs little memory
   std::string bytes(png_signature);
   bytes += png_header(image.width, image.height, image.alpha.empty() ? PngColour::rgb : PngColour::rgb_and_alpha);
   for (const PngText& text : texts) bytes += shortest_text_chunk(text);
@@ -63,12 +63,12 @@ std::string png_text_chunk(const PngText& text) {
 }
 
 std::string png_rows(const Image& image) {
-  constexpr char as_it_is = 0;  // the filter of a row
+  constexpr char png_filter_none = 0;  // the filter of a row
   std::string rows;
   rows.reserve(image.rgb.size() + image.alpha.size() + static_cast<std::size_t>(image.height));
   const auto columns = static_cast<std::size_t>(image.width);
   for (std::size_t row = 0; row < static_cast<std::size_t>(image.height); ++row) {
-    rows += as_it_is;
+    rows += png_filter_none;
     const std::uint8_t* const colours = &image.rgb[3 * row * columns];
     if (image.alpha.empty()) {
       rows.append(reinterpret_cast<const char*>(colours), 3 * columns);

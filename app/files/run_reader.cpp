@@ -186,7 +186,7 @@ class RunReader {
       check_format(rest_after(format_begins));
     } else if (line == scene_begins && !run_.scene && tick_count_ == 0) {
       is_within_scene_ = true;
-      scene_text_.assign(line_number_, '\n');  // so that what is wrong in it is told with its line in this file
+      scene_text_.assign(line_number_, '\n');  // errors in it are told with their line in this file
     } else if (line.starts_with(set_begins)) {
       close_tick();
       take_set(rest_after(set_begins));

@@ -10,7 +10,7 @@
 
 #include "app/base/did_you_mean.h"
 #include "app/base/unicode.h"
-#include "app/files/first_problems.h"
+#include "app/files/problem_list.h"
 #include "app/files/toml_parse.h"
 
 namespace ghostforce {
@@ -123,7 +123,7 @@ struct TomlReader::Content {
   std::vector<Override> overrides{};
   std::span<const TomlKey> keys{};
   Suggest suggest{};
-  FirstProblems<Place, ReadProblem> problems{};
+  ProblemList<Place, ReadProblem> problems{};
   std::set<std::string, std::less<>> names{};  // of tables within tables, for messages
 
   static Place place_of(const TomlValue& value) {

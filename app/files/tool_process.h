@@ -13,7 +13,7 @@ namespace ghostforce {
 struct ToolStreams {
   int in = -1;
   int out = -1;  // negative: what is written there is lost
-  int err = -1;  // the same
+  int err = -1;  // negative: what is written there is lost
 };
 
 // `words`: its name and its arguments. Returns 0, or the number of an error: ENOENT where there is no such tool. It

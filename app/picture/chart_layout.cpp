@@ -212,7 +212,7 @@ class Arrangement {
   }
 
   // How much of the box curves, points and words cover; 0 is free.
-  double crowding(const ScreenBox& box) const {
+  double overlap_cost(const ScreenBox& box) const {
     double cost = 0.0;
     for (std::size_t i = 0; i < chart_.series.size(); ++i) {
       for (ScreenPiece piece : series_[i].line) {
@@ -285,7 +285,7 @@ class Arrangement {
       for (const double y : {0.0, 1.0}) {
         const Vector<2> corner = plot_.least + Vector<2>(points(clearance)) + room * Vector<2>(x, y);
         const ScreenBox box{corner, corner + extent};
-        if (crowding(box) > 0.0 || is_crossed_by_reference(box)) continue;
+        if (overlap_cost(box) > 0.0 || is_crossed_by_reference(box)) continue;
         stack_legend(corner);
         return true;
       }
@@ -339,7 +339,7 @@ class Arrangement {
         corner[across] = piece.from[across] + (is_after ? gap : -gap - extent[across]);
         const ScreenBox box{corner, corner + extent};
         const bool leaves = !contains(plot_.grown(1e-6), box.least) || !contains(plot_.grown(1e-6), box.most);
-        const double cost = crowding(box.grown(points(1.5))) + (leaves ? 1e6 : 0.0);
+        const double cost = overlap_cost(box.grown(points(1.5))) + (leaves ? 1e6 : 0.0);
         if (cost < least) {
           least = cost;
           best = box;

@@ -14,9 +14,9 @@ constexpr double moves_on_in_motion_s = 2.0;
 constexpr double rests_s = 0.5;
 
 // In points of the design.
-constexpr double worth_moving = 30.0;     // so much better must a place be,
-constexpr double worth_arranging = 60.0;  // and so much all places together
-constexpr double crowding_cost = 25.0;    // of the place where less important words stand
+constexpr double worth_moving = 30.0;     // a new place must be better by this,
+constexpr double worth_arranging = 60.0;  // and a new arrangement of all labels by this
+constexpr double overlap_cost = 25.0;    // of the place where less important words stand
 constexpr double narrow_cost = 20.0;      // of one that what moves may soon take away,
 constexpr double roomy_air = 30.0;        // with less air than this
 constexpr double very_roomy_air = 80.0;   // for what is large, and pushed away slowly
@@ -163,7 +163,7 @@ void LabelPlacer::take_or_wait(LabelSearch& search, Place& place, const Options&
       if (!is_free(candidate.label, new_label_air)) continue;
       double cost = candidate.cost;
       for (const ScreenBox& other : others) {
-        if (overlap(candidate.label.box.grown(points(new_label_air)), other) > 0.0) cost += crowding_cost;
+        if (overlap(candidate.label.box.grown(points(new_label_air)), other) > 0.0) cost += overlap_cost;
       }
       if (!obstacles_.is_free(candidate.label.box, points(roomy_air), Clearance::always)) cost += narrow_cost;
       if (cost >= least) continue;

@@ -33,7 +33,7 @@ void MomentHistory::add(const Snapshot& snapshot, const Settings& settings) {
   const bool has_other_settings = is_first || eras_.back() != settings;
   if (has_other_settings) eras_.push_back(settings);
   const Kept now{snapshot, first_era_ + eras_.size() - 1};
-  if (has_other_settings || looks_other(seen_, snapshot, least_visible)) {
+  if (has_other_settings || differs_visibly(seen_, snapshot, least_visible)) {
     for (; resting_.size() > 0; resting_.pop()) keep_moving(resting_.oldest());
     keep_moving(now);
     seen_ = snapshot;

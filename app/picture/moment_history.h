@@ -81,7 +81,7 @@ class MomentHistory {
   void forget_settings() noexcept;
 
   Queue moving_;   // up to the last tick that changed anything,
-  Queue resting_;  // and since
+  Queue resting_;  // after that tick
   Snapshot seen_;  // that the others are held against
   // In the order of their time; a tick's is eras_[its era - first_era_].
   std::deque<Settings> eras_;

@@ -64,7 +64,7 @@ struct Theme {
   bool dark;                          // panels start from a dark or a light base
   double thickness;                   // of every line, marker and letter in the scene, 1 is normal
   PerStrategy<Colour> strategy;       // for marks
-  PerStrategy<Colour> strategy_text;  // the same hues, dark or light enough to be read as letters
+  PerStrategy<Colour> strategy_text;  // hues of the strategies, dark or light enough to be read as letters
   Colour goal, goal_rim;
   Colour background, wall, hatch, wall_edge, grid;
   Colour text, faint_text;

@@ -4,7 +4,7 @@
 
 namespace ghostforce {
 
-bool looks_other(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept {
+bool differs_visibly(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept {
   if (now.measured != seen.measured || glm::distance(now.goal, seen.goal) > least.step) return true;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const StrategySnapshot<2>& a = seen.strategies[i];

@@ -12,6 +12,6 @@ struct LeastVisible {
 };
 
 // Against what was seen, not against the tick before: what creeps is noticed in the end.
-bool looks_other(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept;
+bool differs_visibly(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept;
 
 }  // namespace ghostforce

@@ -66,8 +66,8 @@ class Recording {
   ~Recording() { end(); }
 
   // Often (worker.h).
-  void look() {
-    if (worker_) worker_->look();
+  void poll() {
+    if (worker_) worker_->poll();
   }
 
   // Writes what the servo has handed out so far and closes the file; if the program is interrupted the last line says
@@ -99,7 +99,7 @@ class Recording {
   // The worker's, and whoever's once it has ended.
   SampleText text_;
   fmt::memory_buffer lines_;
-  int writes_ = 0;             // so far
+  int writes_ = 0;             // since the file was opened
   std::uint64_t written_ = 0;  // whole lines in the file [bytes]
   bool is_named_ = false;      // the folder has its name, also after a power cut
   std::string found_at_;

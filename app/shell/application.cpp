@@ -11,12 +11,12 @@
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/files/scene_file.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/target.h"
 #include "app/state/undo_words.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
 
@@ -43,8 +43,8 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
   if (options.mode != StageMode::none) apply(session, ToggleMode{options.mode});
   session.language = options.language;
   session.lesson_progress = options.lesson_progress;
-  if (!options.visit.empty()) {
-    begin_visit(session, options.visit);
+  if (!options.kiosk_visit.empty()) {
+    begin_kiosk_visit(session, options.kiosk_visit);
   } else if (options.lesson) {
     begin_lesson(session, options.lesson);
   }
@@ -82,7 +82,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       is_replay_(options.is_replay),
       servo_driver_(options.make_servo_driver ? options.make_servo_driver() : nullptr),
       screen_(window, options.part) {
-  if (session_.visit) window_.stay_open();
+  if (session_.kiosk_visit) window_.stay_open();
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
   use(input_of(options.input), session_.scene, session_.settings);
   if (options.record) start_recording(*options.record);
@@ -139,7 +139,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   }
   const bool is_other_scene = scene != session_.scene;
   // Another hand may be at another input, or in another scene.
-  if (is_other_scene || session_.input != entry.name) session_.hand_burst = {};
+  if (is_other_scene || session_.input != entry.name) session_.stiffness_probe = {};
   input_ = &entry;
   session_.input = entry.name;
   session_.pointer_moves_goal = false;
@@ -213,14 +213,14 @@ void Application::update(double interval_s) {
   report_ = servo_->newest();
   hand_following_.take_report(report_, session_, command_);
   if (recording_) {
-    recording_->look();
+    recording_->poll();
     read_recording();
     if (recording_->progress().error != 0) show_notice(end_recording(), true);
   }
   see_target();
-  link_->look();
+  link_->poll();
   late_ticks_.note(report_.loop.late_ticks, link_->is_opening(), interval_s);
-  if (const std::string problem = clipboard_tool_.look(); !problem.empty()) show_notice(problem, true);
+  if (const std::string problem = clipboard_tool_.poll(); !problem.empty()) show_notice(problem, true);
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
@@ -231,18 +231,18 @@ void Application::update(double interval_s) {
   session_.time_s = report_.snapshot.time_s;
   follow_measurement(session_, report_.snapshot, report_.motors);
   session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
-  follow_hand_burst(session_, report_.snapshot, report_.motors, report_.hand);
+  follow_stiffness_probe(session_, report_.snapshot, report_.motors, report_.hand);
   follow_lesson_in_session(interval_s);
-  follow_visit_in_session(interval_s);
-  if (shader_watch_ && shader_watch_->look(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
+  follow_kiosk_visit_in_session(interval_s);
+  if (shader_watch_ && shader_watch_->poll(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
     if (session_.notice->age_s > news_last_s) session_.notice.reset();
   }
-  clip_saving_.look(session_);
+  clip_saving_.poll(session_);
   if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)
     age_s.reset();
-  screen_.wait(session_, interval_s);
+  screen_.advance(session_, interval_s);
   heartbeat();
 }
 
@@ -259,7 +259,7 @@ bool Application::has_changed() const {
   if (!drawn_ || link_->has_news()) return true;
   double points_per_metre = 1.0;
   for (const Pane& pane : screen_.panes()) points_per_metre = std::max(points_per_metre, pane.camera.points_per_metre);
-  return looks_other(*drawn_, visible(), points_per_metre);
+  return differs_visibly(*drawn_, visible(), points_per_metre);
 }
 
 bool Application::needs_drawing() const {
@@ -397,7 +397,7 @@ void Application::copy_motor_requests() {
   command_.arms_asked = session_.arms_asked;
   command_.offs_asked = session_.offs_asked;
   command_.acknowledgements = session_.acknowledgements;
-  command_.departures = session_.visit ? session_.visit->departures : 0;
+  command_.departures = session_.kiosk_visit ? session_.kiosk_visit->departures : 0;
   command_.safety = session_.safety;
   // The words on screen need not wait until the servo has heard of it.
   command_.has_focus = report_.motors.has_focus = window_.has_focus();
@@ -410,7 +410,7 @@ void Application::heartbeat() {
 }
 
 void Application::show_notice(std::string words, bool is_problem) {
-  if (session_.visit) return say("{}\n", words);
+  if (session_.kiosk_visit) return say("{}\n", words);
   // What has failed just now stays to be read.
   if (has_failed_ && session_.notice) words = fmt::format("{}\n{}", session_.notice->words, words);
   has_failed_ = has_failed_ || is_problem;

@@ -37,7 +37,7 @@ struct ApplicationOptions {
   StageMode mode = StageMode::none;                    // of the stage
   std::shared_ptr<const Lesson> lesson{};              // that begins at once; null: none
   std::string language{"en"};                          // of the stage and of lessons
-  std::vector<std::shared_ptr<const Lesson>> visit{};  // of the visitor's mode; empty: an ordinary run
+  std::vector<std::shared_ptr<const Lesson>> kiosk_visit{};  // of the visitor's mode; empty: an ordinary run
   LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are
   std::string input{mouse_hand.name};   // the name of one of them
@@ -105,7 +105,7 @@ class Application {
   // Shows what the last update() has found, and does what the person asked for.
   void draw();
 
-  // Both.
+  // update() and draw().
   void frame(double interval_s);
 
   // What the line of a set-up describes (set_up_line.h), as if it had been pasted. Throws ReadError.
@@ -141,7 +141,7 @@ class Application {
   // What the newest tick says against the target that is drawn, if one is.
   void see_target();
   void follow_lesson_in_session(double interval_s);
-  void follow_visit_in_session(double interval_s);
+  void follow_kiosk_visit_in_session(double interval_s);
   VisibleState visible() const;
   // Since the last frame.
   bool has_changed() const;

@@ -92,7 +92,7 @@ void Application::attempt(const std::function<void()>& work) {
     show_notice(failure.what(), true);
   } catch (const ReadError& error) {
     show_notice(error.what(), true);
-  } catch (const ReaderGone&) {
+  } catch (const BrokenPipe&) {
     show_notice("No program is reading from that pipe any more. Save to a file instead.", true);
   }
 }

@@ -43,7 +43,7 @@ void Application::save_clip(const SaveClip& request) {
                       .target = target_of(session_, report_.motors)},
                      painter_, set_up_line(set_up_of(session_, last)));
   dismiss_notice();
-  clip_saving_.look(session_);  // says at once that it has begun
+  clip_saving_.poll(session_);  // says at once that it has begun
 }
 
 std::string Application::picture_bytes(const SavePicture& request) {

@@ -110,9 +110,9 @@ void ClipSaving::tell(Session& session, std::string words, bool is_problem) {
   session.notice = Notice{std::move(words), is_problem, 0.0};
 }
 
-void ClipSaving::look(Session& session) {
+void ClipSaving::poll(Session& session) {
   if (!is_running()) return;
-  worker_->look();
+  worker_->poll();
   const std::string path = quoted_text(path_, longest_path);
   const StageLanguage::Notices& words = stage_language(session.language).notices;
   if (!worker_->is_running()) {

@@ -37,7 +37,7 @@ class ClipSaving {
 
   // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed the
   // clip is given up.
-  void look(Session& session);
+  void poll(Session& session);
 
   bool is_running() const noexcept { return worker_.has_value(); }
 

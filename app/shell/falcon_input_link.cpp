@@ -23,7 +23,7 @@ class FalconInputLink : public InputLink {
         path_(scene.goal),
         view_center_(scene.view.center) {}
 
-  void look() override { report_ = input_.report(); }
+  void poll() override { report_ = input_.report(); }
 
   void fill(LoopReading& reading) const override {
     if (readiness_of_) reading.readiness = readiness_of_(report_, reading.motors);
@@ -33,7 +33,7 @@ class FalconInputLink : public InputLink {
 
   // Nobody else would stop it when it is back. One that is simulated ends with its input.
   std::string why_not_leave() override {
-    look();
+    poll();
     if (!report_.may_still_push || report_.is_virtual) return {};
     return "The Falcon's motors may still push, and only its own input can stop them. F2 says what to do. If the "
            "device will not come back, end the program and start it again.";

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 
 namespace ghostforce {
 

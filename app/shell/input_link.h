@@ -18,8 +18,8 @@
 
 namespace ghostforce {
 
-// How a visit at the window ended: for scripts a number, for the people who read their logs a sentence.
-struct EndOfVisit {
+// How a run of the window ended: for scripts a number, for the people who read their logs a sentence.
+struct EndOfRun {
   ExitCode code = ExitCode::done;
   std::string words;  // empty where all went well
 };
@@ -40,7 +40,7 @@ class InputLink {
   virtual void add(const Snapshot& /*snapshot*/) {}
 
   // Often, whether a frame is drawn or not: what the input knows by now.
-  virtual void look() {}
+  virtual void poll() {}
 
   // What of that the screen shows; everything that is not the input's is in the reading already.
   virtual void fill(LoopReading& /*reading*/) const {}
@@ -62,7 +62,7 @@ class InputLink {
   virtual std::string why_not_leave() { return {}; }
 
   // Where the readiness that it shows does not tell it.
-  virtual EndOfVisit end() const { return {}; }
+  virtual EndOfRun end() const { return {}; }
 };
 
 struct LinkedInput {

@@ -104,7 +104,7 @@ void Keyboard::follow_windows(const Session& session) {
   const bool is_open = session.dialog != Dialog::none;
   if (!was_open && is_open) had_focus_ = has_focus();
   if (was_open && !is_open && !had_focus_) leave_focus();
-  const std::uint32_t departures = session.visit ? session.visit->departures : 0;
+  const std::uint32_t departures = session.kiosk_visit ? session.kiosk_visit->departures : 0;
   const bool is_other_visitor = std::exchange(departures_, departures) != departures;
   if (face_ != session.face || is_other_visitor) leave_focus();
   dialog_ = session.dialog;

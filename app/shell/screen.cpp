@@ -51,8 +51,8 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
   window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
 }
 
-void Screen::wait(const Session& session, double interval_s) noexcept {
-  if (session.face == Face::stage) stage_.wait(interval_s);
+void Screen::advance(const Session& session, double interval_s) noexcept {
+  if (session.face == Face::stage) stage_.advance(interval_s);
 }
 
 bool Screen::is_moving(const Session& session) const noexcept {

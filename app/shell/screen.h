@@ -37,7 +37,7 @@ class Screen {
             const LoopReading& loop, double interval_s);
 
   // Time goes on, whether a frame is drawn or not.
-  void wait(const Session& session, double interval_s) noexcept;
+  void advance(const Session& session, double interval_s) noexcept;
   // The next frame would show something else, though nothing that draw() is given has changed.
   bool is_moving(const Session& session) const noexcept;
 

@@ -12,7 +12,7 @@
 #include "app/base/did_you_mean.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/files/first_problems.h"
+#include "app/files/problem_list.h"
 #include "app/files/input_file.h"
 #include "app/files/toml_document.h"
 #include "app/shell/action_kinds.h"
@@ -294,7 +294,7 @@ class SessionReader {
   std::size_t line_ = 0;
   double last_s_ = 0.0;
   bool has_end_ = false;
-  FirstProblems<Place, ReadProblem> problems_;
+  ProblemList<Place, ReadProblem> problems_;
 };
 
 }  // namespace

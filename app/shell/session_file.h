@@ -35,7 +35,7 @@ struct TimedAction {
 struct RecordedSession {
   SessionStart start;
   std::vector<TimedAction> actions;  // in their order
-  double end_s = 0.0;                // the same time; where the file does not tell it, that of the last action
+  double end_s = 0.0;                // real time since the session began; where the file does not tell it, that of the last action
 };
 
 // Lines of the file, each with its end.

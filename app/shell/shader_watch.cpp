@@ -48,7 +48,7 @@ ShaderWatch::Stamps ShaderWatch::stamps() const {
   return stamps;
 }
 
-bool ShaderWatch::look(GlPainter& painter, double now_s) {
+bool ShaderWatch::poll(GlPainter& painter, double now_s) {
   if (has_looked_ && now_s < next_look_s_) return false;
   next_look_s_ = now_s + look_interval_s;
   const Stamps now = stamps();

@@ -17,7 +17,7 @@ class ShaderWatch {
 
   // Often; looks at the files four times a second. True: they are others than the last time. `now_s`: seconds on any
   // clock that only goes forward.
-  bool look(GlPainter& painter, double now_s);
+  bool poll(GlPainter& painter, double now_s);
 
   // Why the newest shaders are not in use: the driver's log and the numbered source. Empty: they are.
   const std::string& problem() const noexcept { return problem_; }

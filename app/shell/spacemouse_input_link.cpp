@@ -2,7 +2,7 @@
 
 namespace ghostforce {
 
-EndOfVisit end_with(SpaceMouseReading::Trouble trouble) {
+EndOfRun end_with(SpaceMouseReading::Trouble trouble) {
   switch (trouble) {
     case SpaceMouseReading::Trouble::none:
       return {};
@@ -22,7 +22,7 @@ void SpaceMouseInputLink::fill(LoopReading& reading) const {
   reading.draw_input = [this](const PanelContext& context) { draw_spacemouse(context, reading_, words_); };
 }
 
-void SpaceMouseInputLink::look() {
+void SpaceMouseInputLink::poll() {
   const SpaceMouseReading& now = input_.reading();
   has_news_ = has_news_ || now.trouble != reading_.trouble || now.connection != reading_.connection ||
               now.reports != reading_.reports;

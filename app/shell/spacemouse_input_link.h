@@ -12,19 +12,19 @@ namespace ghostforce {
 inline constexpr InputChoice spacemouse_hand{"spacemouse", "SpaceMouse",
                                              "The goal follows the cap of a 3Dconnexion SpaceMouse."};
 
-// How a visit ended that was to use one.
-EndOfVisit end_with(SpaceMouseReading::Trouble trouble);
+// How a run ended that was to use one.
+EndOfRun end_with(SpaceMouseReading::Trouble trouble);
 
 class SpaceMouseInputLink : public InputLink {
  public:
   SpaceMouseInputLink(SpaceMouseInput& input, const Scene&, const InputOptions&, const SpaceMouseWords& words)
       : input_(input), words_(words) {}
 
-  void look() override;
+  void poll() override;
   void fill(LoopReading& reading) const override;
   void send(Session& session, double interval_s) override;
   bool has_news() const noexcept override { return has_news_; }
-  EndOfVisit end() const override { return end_with(reading_.trouble); }
+  EndOfRun end() const override { return end_with(reading_.trouble); }
 
  protected:
   const SpaceMouseReading& newest() const noexcept { return reading_; }

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/picture/visible_change.h"
-#include "app/state/hand_burst_guide.h"
-#include "app/state/visit.h"
+#include "app/state/stiffness_probe_guide.h"
+#include "app/state/kiosk_visit.h"
 #include "core/belief_follower.h"
 #include "core/units.h"
 
@@ -58,9 +58,9 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
     words += fmt::format(" {} {} {} {} {}", progress_key(*lesson->lesson), session.language, lesson->step,
                          static_cast<int>(lesson->steps[lesson->step].outcome), invites_visitors(session));
   }
-  if (const HandBurst& burst = session.hand_burst; burst.stage != HandBurst::Stage::off) {
-    words += fmt::format(" {} {:.3f} {} {} {}", static_cast<int>(burst.stage), burst.filled,
-                         static_cast<int>(burst.why), burst.estimate.k_u, hand_burst_is_believed(session));
+  if (const StiffnessProbe& probe = session.stiffness_probe; probe.stage != StiffnessProbe::Stage::off) {
+    words += fmt::format(" {} {:.3f} {} {} {}", static_cast<int>(probe.stage), probe.filled,
+                         static_cast<int>(probe.why), probe.estimate.k_u, stiffness_probe_is_believed(session));
   }
   if (session.face == Face::workbench || session.dialog != Dialog::none) add_panel_words(session, reading, words);
   return words;
@@ -91,10 +91,10 @@ VisibleState visible_state(const Session& session, const ShownMoment& shown, con
   return state;
 }
 
-bool looks_other(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept {
+bool differs_visibly(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept {
   const LeastVisible least{.step = std::min(visible_share_of_point / points_per_metre, finest_shown_step),
                            .force = finest_shown_force};
-  return looks_other(seen.snapshot, now.snapshot, least) || glm::distance(seen.goal, now.goal) > least.step ||
+  return differs_visibly(seen.snapshot, now.snapshot, least) || glm::distance(seen.goal, now.goal) > least.step ||
          seen.settings != now.settings || seen.is_past != now.is_past || seen.is_paused != now.is_paused ||
          seen.notice != now.notice || seen.plots_end_s != now.plots_end_s || seen.ribbon_end_s != now.ribbon_end_s ||
          seen.trail_s != now.trail_s || seen.words != now.words;

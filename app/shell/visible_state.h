@@ -29,6 +29,6 @@ VisibleState visible_state(const Session& session, const ShownMoment& shown, con
                            const LoopReading& reading);
 
 // Whether a person could see it, in a picture so fine [points/m].
-bool looks_other(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept;
+bool differs_visibly(const VisibleState& seen, const VisibleState& now, double points_per_metre) noexcept;
 
 }  // namespace ghostforce

@@ -11,7 +11,7 @@ class IdleShow {
   static constexpr double begins_after_s = 20.0;
 
   // Time goes on, whether a frame is drawn or not.
-  void wait(double interval_s) noexcept { idle_s_ += may_begin_ ? interval_s : 0.0; }
+  void advance(double interval_s) noexcept { idle_s_ += may_begin_ ? interval_s : 0.0; }
 
   // In each frame. `is_touched`: the person did something. `may_begin`: there is nothing that must not be disturbed.
   void update(bool is_touched, bool may_begin, double interval_s) noexcept;

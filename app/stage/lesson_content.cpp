@@ -5,7 +5,7 @@
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_slider.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 
 namespace ghostforce {
 namespace {
@@ -47,7 +47,7 @@ std::string_view next_words(const Session& session, const StageLanguage::Lessons
   const bool is_asked = lesson_step(lesson).question != LessonQuestion::none;
   if (is_asked && lesson_step_state(lesson).outcome == LessonOutcome::open) return phrases.show;
   // For visitors another lesson follows.
-  return lesson.step + 1 == lesson.steps.size() && !session.visit ? phrases.finish : phrases.next;
+  return lesson.step + 1 == lesson.steps.size() && !session.kiosk_visit ? phrases.finish : phrases.next;
 }
 
 // As those call it who speak it. A lesson's file may have one that the stage does not speak.
@@ -77,8 +77,8 @@ StageLesson lesson_content(const Session& session) {
                       .is_open = has_open_question(session, LessonQuestion::choose),
                       .back = lesson.step > 0 ? std::string(phrases.back) : "",
                       .next = std::string(next_words(session, phrases)),
-                      .has_way_out = !session.visit,
-                      .other_language = session.visit ? name_of_language(next_language(session)) : ""};
+                      .has_way_out = !session.kiosk_visit,
+                      .other_language = session.kiosk_visit ? name_of_language(next_language(session)) : ""};
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const LessonStep& each = lesson.lesson->steps[i];
     const LessonStepWords& said = words.steps[i];

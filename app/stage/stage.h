@@ -30,7 +30,7 @@ struct StagePicture {
   ScreenBox scene{};                                      // where a hand can be seen
   Vector<2> pivot{0.0};                                   // that the motor's rail turns about [m]
   std::optional<std::array<Vector<2>, 2>> motor_grips{};  // empty: it cannot be turned
-  std::optional<std::array<Vector<2>, 2>> wall_grips{};   // the same
+  std::optional<std::array<Vector<2>, 2>> wall_grips{};   // empty: it cannot be turned
   std::optional<LandscapeLayout> landscape{};             // empty: there is no map
   std::optional<RibbonPlace> ribbon{};
 };

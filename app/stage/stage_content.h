@@ -69,7 +69,7 @@ struct StageContent {
   std::optional<StageRound> round{};
   double landscape_dial = 0.0;
   std::optional<StageMeasuring> measuring{};               // of the hand; empty: nobody has asked for it
-  std::optional<StageMeasuringButton> measuring_button{};  // the same, or it can be asked for
+  std::optional<StageMeasuringButton> measuring_button{};  // empty: the hand is not being measured, and cannot be
   const MomentHistory* moments = nullptr;                  // of the ribbon; null: there is none
   std::optional<double> looks_back_to_s{};                 // its cursor [s]
   std::optional<StageCornerButton> corner{};

@@ -12,13 +12,13 @@
 #include "app/stage/landscape_layer.h"
 #include "app/stage/lesson_content.h"
 #include "app/state/front_keys.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/stage_buttons.h"
 #include "app/state/stage_modes.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 
 namespace ghostforce {
 namespace {
@@ -61,10 +61,10 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
 // What there is to do about it; empty: to wait.
 std::string_view measuring_words(const Session& session) {
   const StageLanguage::Buttons& all = stage_language(session.language).buttons;
-  const HandBurst& burst = session.hand_burst;
-  if (burst.is_running()) return {};
-  if (session.lesson) return burst.stage == HandBurst::Stage::off ? all.measure : all.measure_again_in_lesson;
-  return burst.is_known() && !hand_burst_is_believed(session) ? all.believe : all.measure_again;
+  const StiffnessProbe& probe = session.stiffness_probe;
+  if (probe.is_running()) return {};
+  if (session.lesson) return probe.stage == StiffnessProbe::Stage::off ? all.measure : all.measure_again_in_lesson;
+  return probe.is_known() && !stiffness_probe_is_believed(session) ? all.believe : all.measure_again;
 }
 
 // A button of its own where the corner is not free for it.
@@ -109,22 +109,22 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
 
 // Only while the mode is on. A lesson's step asks for it when it likes.
 std::optional<StageMeasuring> measuring_content(const Session& session) {
-  const HandBurst& burst = session.hand_burst;
-  if (session.stage.mode != StageMode::measure || burst.stage == HandBurst::Stage::off) return std::nullopt;
+  const StiffnessProbe& probe = session.stiffness_probe;
+  if (session.stage.mode != StageMode::measure || probe.stage == StiffnessProbe::Stage::off) return std::nullopt;
   std::optional<double> asked;
-  if (burst.is_known() && has_open_question(session, LessonQuestion::task)) {
+  if (probe.is_known() && has_open_question(session, LessonQuestion::task)) {
     for (const LessonCondition& condition : lesson_step(*session.lesson).conditions) {
       if (condition.quantity != LessonQuantity::hand) continue;
-      const double nearest = std::clamp(burst.estimate.k_u, condition.least, condition.greatest);
-      if (nearest != burst.estimate.k_u) asked = nearest;
+      const double nearest = std::clamp(probe.estimate.k_u, condition.least, condition.greatest);
+      if (nearest != probe.estimate.k_u) asked = nearest;
     }
   }
-  return StageMeasuring{.is_running = burst.is_running(),
-                        .filled = burst.filled,
-                        .why = burst.why,
-                        .result = burst.is_known() ? std::optional(burst.estimate) : std::nullopt,
-                        .before = burst.before,
-                        .is_believed = hand_burst_is_believed(session),
+  return StageMeasuring{.is_running = probe.is_running(),
+                        .filled = probe.filled,
+                        .why = probe.why,
+                        .result = probe.is_known() ? std::optional(probe.estimate) : std::nullopt,
+                        .before = probe.before,
+                        .is_believed = stiffness_probe_is_believed(session),
                         .asked = asked};
 }
 
@@ -132,15 +132,15 @@ std::optional<StageMeasuring> measuring_content(const Session& session) {
 std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
   if (loop.diverged) {
-    return std::string(session.face == Face::stage && !session.visit ? words.unstable : words.unstable_on_workbench);
+    return std::string(session.face == Face::stage && !session.kiosk_visit ? words.unstable : words.unstable_on_workbench);
   }
   if (loop.motors.may_still_push) {
-    return session.visit ? std::string(words.motors_may_still_push_for_visitors)
+    return session.kiosk_visit ? std::string(words.motors_may_still_push_for_visitors)
                          : filled(words.motors_may_still_push, front_keys().device_status.shown);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
-    return session.visit ? std::string(words.device_not_ready_for_visitors)
+    return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
                          : filled(words.device_not_ready, front_keys().device_status.shown);
   }
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);

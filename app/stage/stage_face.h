@@ -33,7 +33,7 @@ class StageFace {
   StageReading reading(const Session& session, const StageFrame& frame) const;
 
   // Time goes on, whether a frame is drawn or not: left alone for long enough, the stage begins to move.
-  void wait(double interval_s) noexcept { show_.wait(interval_s); }
+  void advance(double interval_s) noexcept { show_.advance(interval_s); }
 
   // Something moves by itself, and wants to be drawn.
   bool is_moving() const noexcept;
@@ -61,8 +61,8 @@ class StageFace {
   SceneView view_;                      // on its way to the session's
   SceneView wanted_view_;               // of the frame before
   bool view_moves_ = false;
-  Settings seen_settings_;    // a frame ago,
-  Vector<2> seen_goal_{0.0};  // both
+  Settings seen_settings_;    // of the last frame
+  Vector<2> seen_goal_{0.0};  // of the last frame [m]
 };
 
 }  // namespace ghostforce

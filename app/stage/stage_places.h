@@ -73,7 +73,7 @@ struct StageFrameWords {
   StageAction corner_action = StageCommand::keys;
   bool has_full = true;                             // the strategy with every motor can be chosen
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
-  const StageLesson* lesson = nullptr;              // the same
+  const StageLesson* lesson = nullptr;              // null: there is none
 };
 
 }  // namespace ghostforce

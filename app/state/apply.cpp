@@ -7,13 +7,13 @@
 #include <utility>
 
 #include "app/state/circle_test.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/permit.h"
 #include "app/state/scene_view_limits.h"
 #include "app/state/stage_modes.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 #include "core/units.h"
 
 namespace ghostforce {
@@ -166,15 +166,15 @@ void act(Session& session, const ToggleMode& action) {
   if (session.stage.mode == action.mode) return leave_stage_mode(session);
   begin_stage_mode(session, action.mode);
   // A lesson waits until its button is pressed.
-  if (action.mode == StageMode::measure) start_hand_burst(session);
+  if (action.mode == StageMode::measure) start_stiffness_probe(session);
 }
 
 void act(Session& session, const PressMeasuringButton&) {
-  press_hand_burst(session);
+  press_stiffness_probe(session);
 }
 
 void act(Session& session, const MeasureHand&) {
-  session.lesson ? press_hand_burst(session) : act(session, ToggleMode{StageMode::measure});
+  session.lesson ? press_stiffness_probe(session) : act(session, ToggleMode{StageMode::measure});
 }
 
 void act(Session& session, const GoOn&) {
@@ -182,7 +182,7 @@ void act(Session& session, const GoOn&) {
   StageChoice& stage = session.stage;
   const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) ++stage.reveals_asked;
-  if (stage.mode == StageMode::measure) press_hand_burst(session);
+  if (stage.mode == StageMode::measure) press_stiffness_probe(session);
   if (stage.mode == StageMode::why) stage.why_step = std::min(stage.why_step + 1, last_why_step);
 }
 
@@ -229,7 +229,7 @@ void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;
   session.face = Face::stage;
   session.stage.is_black = false;
-  session.stage.talk_step = step;
+  session.stage.demo_step = step;
   talk[static_cast<std::size_t>(step)](session);
 }
 
@@ -237,13 +237,13 @@ void act(Session& session, const NextStep&) {
   if (session.lesson) return next_lesson_step(session);
   // Who has come to Why? by its key goes on there.
   const bool is_in_why = session.stage.mode == StageMode::why && session.stage.why_step < last_why_step;
-  if (is_in_why && !session.stage.talk_step) return act(session, GoOn{});
-  go_to_talk_step(session, session.stage.talk_step.value_or(-1) + 1);
+  if (is_in_why && !session.stage.demo_step) return act(session, GoOn{});
+  go_to_talk_step(session, session.stage.demo_step.value_or(-1) + 1);
 }
 
 void act(Session& session, const PreviousStep&) {
   if (session.lesson) return previous_lesson_step(session);
-  go_to_talk_step(session, session.stage.talk_step.value_or(0) - 1);
+  go_to_talk_step(session, session.stage.demo_step.value_or(0) - 1);
 }
 
 // --- Lessons and motors ---

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_slider.h"
 #include "app/state/measurement_guide.h"
@@ -96,7 +96,7 @@ void begin_step(Session& session) {
   lesson.furthest = std::max(lesson.furthest, lesson.step);
   note_progress(session);
   lesson.met_s = 0.0;
-  end_hand_burst(session);
+  end_stiffness_probe(session);
   session.stage.is_black = false;
   session.stage.guess.reset();
   session.stage.guess_is_open = false;
@@ -169,7 +169,7 @@ void begin_lesson(Session& session, std::shared_ptr<const Lesson> lesson) {
   session.paused = false;
   session.speed = 1.0;
   session.stage.looks_back_to_s.reset();
-  session.stage.talk_step.reset();
+  session.stage.demo_step.reset();
   show_again(session);
 }
 
@@ -200,7 +200,7 @@ void next_lesson_step(Session& session) {
     lesson.is_finished = true;
     note_progress(session);
     leave_lesson(session);
-    if (session.visit) return begin_lesson(session, session.visit->take_next_lesson());
+    if (session.kiosk_visit) return begin_lesson(session, session.kiosk_visit->take_next_lesson());
     session.dialog = Dialog::lessons;
     return;
   }

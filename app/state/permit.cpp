@@ -45,7 +45,7 @@ Permission permit_slider(const Session& session) {
 }
 
 // The mode would show what a blind measurement hides.
-Permission permit_burst(const Session& session) {
+Permission permit_probe(const Session& session) {
   return refuse_unless(!is_measuring(session) && !hides_answer(session), measures_otherwise);
 }
 
@@ -120,12 +120,12 @@ Permission permit_kind(const Session& session, const AnswerLesson&) {
 }
 
 Permission permit_kind(const Session& session, const ToggleMode& action) {
-  return action.mode == StageMode::measure ? permit_burst(session) : std::nullopt;
+  return action.mode == StageMode::measure ? permit_probe(session) : std::nullopt;
 }
 
 // In a lesson the step says whether there is something to measure.
 Permission permit_kind(const Session& session, const MeasureHand&) {
-  if (!session.lesson) return permit_burst(session);
+  if (!session.lesson) return permit_probe(session);
   return refuse_unless(session.stage.mode == StageMode::measure, not_in_this_step);
 }
 
@@ -185,7 +185,7 @@ Permission permit_kind(const Session& session, const BelieveMeasurement&) {
 }
 
 Permission permit_kind(const Session& session, const Quit& action) {
-  return refuse_unless(!session.visit || action.ends_visit, has_no_meaning);
+  return refuse_unless(!session.kiosk_visit || action.ends_visit, has_no_meaning);
 }
 
 }  // namespace
@@ -193,7 +193,7 @@ Permission permit_kind(const Session& session, const Quit& action) {
 std::optional<Refusal> permit(const Session& session, const Action& action) {
   return std::visit(
       [&]<typename A>(const A& wanted) -> Permission {
-        if (session.visit && !is_one_of<A, ForVisitors>) return has_no_meaning;
+        if (session.kiosk_visit && !is_one_of<A, ForVisitors>) return has_no_meaning;
         if (session.lesson && is_one_of<A, LeftToLesson>) return left_to_lesson;
         return permit_kind(session, wanted);
       },

@@ -17,14 +17,14 @@
 #include "app/picture/theme.h"
 #include "app/picture/view.h"
 #include "app/state/belief_source.h"
-#include "app/state/hand_burst.h"
+#include "app/state/stiffness_probe.h"
 #include "app/state/lesson_progress.h"
 #include "app/state/lesson_state.h"
 #include "app/state/measurement.h"
 #include "app/state/plot_view.h"
 #include "app/state/stage_choice.h"
 #include "app/state/stage_view.h"
-#include "app/state/visit_state.h"
+#include "app/state/kiosk_visit_state.h"
 #include "core/hand_reading.h"
 #include "core/loop_energy.h"
 #include "core/scene.h"
@@ -76,7 +76,7 @@ struct Form {
   int clip_seconds = 5;
   double clip_end_s = 0.0;        // what was shown when the form was opened, model time
   std::size_t marked_scene = 0;   // of those that the program brings along, in their order
-  std::size_t marked_lesson = 0;  // the same
+  std::size_t marked_lesson = 0;  // of the shipped lessons, in their order
   std::string sought;             // what was typed into the palette,
   std::size_t marked_action = 0;  // and of what was found, the one that Enter does
   bool asks_for_reset = false;    // of the progress in lessons: the question is on the screen
@@ -119,7 +119,7 @@ struct Session {
   std::optional<LessonState> lesson;    // empty: there is none
   LessonProgress lesson_progress;       // in all lessons
   std::string language{"en"};           // of the stage and of lessons, of ISO 639-1
-  std::optional<VisitState> visit;      // of the visitor's mode; empty: an ordinary run
+  std::optional<KioskVisit> kiosk_visit;// of the visitor's mode; empty: an ordinary run
   SceneView shown;                      // the part of the world in the workbench's picture,
   std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
   SceneView stage_shown;                // and in the stage's
@@ -141,7 +141,7 @@ struct Session {
   SpaceMouseSettings spacemouse;
   bool aims_at_target = false;  // the hand at a device is told to aim at a target on the wall
   UserMeasurement measurement;
-  HandBurst hand_burst;
+  StiffnessProbe stiffness_probe;
   CircleTest circle_test;
   std::string injected_fault;          // of a virtual device, a name of loop.injected_faults; empty: as it was started
   std::string input{mouse_hand.name};  // who moves the goal, a name of the input catalog

@@ -1,7 +1,7 @@
 #include "app/state/stage_modes.h"
 
 #include "app/state/circle_test.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "device/report/input_choice.h"
 
 namespace ghostforce {
@@ -19,7 +19,7 @@ void leave_stage_mode(Session& session) {
   const bool goes_round = session.circle_test.is_on || session.wanted_input == circling_hand.name;
   if (stage.mode == StageMode::round && goes_round) end_circle_test(session);
   if (stage.mode == StageMode::ribbon) stage.looks_back_to_s.reset();
-  if (stage.mode == StageMode::measure) session.hand_burst = {};
+  if (stage.mode == StageMode::measure) session.stiffness_probe = {};
   // Wall and hand may be others now.
   if (stage.mode == StageMode::landscape) session.fits_view = true;
   stage.mode = StageMode::none;

@@ -21,7 +21,7 @@ struct Fonts : LabelFonts {
 struct PanelContext {
   const Session& session;
   const ActionSink& apply;
-  Session& edited;  // the same one, for what has no action yet: forms, folds, views, plots, the dial's age
+  Session& edited;  // the session, for what has no Action yet: forms, folds, views, plots, the age of the dial
   const Snapshot& snapshot;
   const Settings& settings;  // of the moment that is shown; the session's own, but for one of the past
   const LoopReading& loop;

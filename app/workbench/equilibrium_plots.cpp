@@ -112,7 +112,7 @@ std::optional<double> draw_rest_plot(const PanelContext& context, const Equilibr
   return dragged;
 }
 
-// Both plots, side by side; and where the operating point is dragged to, if so.
+// The two plots, side by side; and where the operating point is dragged to, if so.
 std::optional<double> draw_equilibrium_plots(const PanelContext& context, const EquilibriumCurves& curves,
                                              const EquilibriumAxis& axis, const EquilibriumQuestion& question,
                                              const std::string& condition) {
@@ -126,7 +126,7 @@ std::optional<double> draw_equilibrium_plots(const PanelContext& context, const 
     ImGui::BeginGroup();
     ImGui::TextUnformatted(quantity.title);
     tooltip(quantity.sentence);
-    // Both say it where there is room: each plot may be looked at alone.
+    // The two plots say it where there is room: each plot may be looked at alone.
     const std::string under =
         question.goal_is_inferred ? condition + (condition.empty() ? "" : ", ") + "goal estimated" : condition;
     const float needed = ImGui::GetItemRectSize().x + ImGui::CalcTextSize(under.c_str()).x + ImGui::GetFontSize();

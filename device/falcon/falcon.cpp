@@ -85,7 +85,7 @@ void Falcon::update() noexcept {
   if (opener_.is_busy()) return;
   if (phase_ == Phase::pausing) {
     if (since(phase_began_ns_) < pause_s_) return;
-    look();
+    poll();
     if (opener_.is_busy()) return;
   }
   if (phase_ == Phase::opening) return opened(link().fault());
@@ -111,7 +111,7 @@ void Falcon::wait_until(std::int64_t deadline_ns) noexcept {
   opener_.wait_until(std::min(deadline_ns, stop_ns()));
 }
 
-void Falcon::look() noexcept {
+void Falcon::poll() noexcept {
   opener_.open(debts_);
   phase_ = Phase::opening;
 }

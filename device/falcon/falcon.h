@@ -107,7 +107,7 @@ class Falcon {
   bool is_exchanging() const noexcept { return phase_ == Phase::asking || phase_ == Phase::exchanging; }
   double since(std::int64_t then_ns) const noexcept;
 
-  void look() noexcept;
+  void poll() noexcept;
   void opened(LinkFault fault) noexcept;
   void begin_asking() noexcept;
   void set_up_chip() noexcept;

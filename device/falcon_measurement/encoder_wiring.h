@@ -24,7 +24,7 @@ struct EncoderWiring {
 
   LegNumbers encoder_of_leg = legs_in_order;
   double agreement = 0.0;  // the smallest cosine of all moves; 1: exactly as this wiring has it
-  double runner_up = 0.0;  // the same for the next best wiring
+  double runner_up = 0.0;  // agreement of the next best wiring
   bool has_moved = false;
 
   bool is_certain() const noexcept { return has_moved && agreement >= least_agreement && agreement - runner_up >= 0.1; }

@@ -185,7 +185,7 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   is_saturated = report_.motors.is_saturated;
   tone = tone_;
   hand = report_.hand;
-  ring.put();
+  ring.push();
   return true;
 }
 

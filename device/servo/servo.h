@@ -127,9 +127,9 @@ class Servo {
   // The reference stays valid until the next call.
   const ServoReport& newest() noexcept { return reports_.latest(); }
   // The oldest sample not yet taken; false when there is none.
-  bool take_sample(Sample& sample) noexcept { return samples_.take(sample); }
+  bool take_sample(Sample& sample) noexcept { return samples_.try_pop(sample); }
   // The same for what is to be recorded. One thread at a time, and it need not be the UI's.
-  bool take_record(Sample& sample) noexcept { return records_.take(sample); }
+  bool take_record(Sample& sample) noexcept { return records_.try_pop(sample); }
 
   Input& input() noexcept { return *input_; }
 

@@ -153,7 +153,7 @@ class FalconDsp {
   FixedQueue<Timed, 4096> to_host_;
   std::int64_t line_out_free_ns_ = 0;  // when the last byte under way is through
   std::int64_t line_in_free_ns_ = 0;
-  std::uint32_t noise_ = 0x2545F491;  // the same each time
+  std::uint32_t noise_ = 0x2545F491;  // fixed, so that each run has the same noise
 
   // The DSP.
   Stage stage_ = Stage::idle;

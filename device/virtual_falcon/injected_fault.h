@@ -35,7 +35,7 @@ struct InjectedFault {
   bool is_off_the_cable() const noexcept { return link == LinkFault::absent || link == LinkFault::unplugged; }
 
   // Hand-shake and upload.
-  int lost_replies = 0;     // so many answers of the hand-shake never come, counted since the fault was asked for
+  int lost_replies = 0;     // answers of the hand-shake that never come, counted since the fault was asked for
   bool leading_00 = false;  // before each answer of the hand-shake
   bool leading_13 = false;  // before the 'A' that answers the 'A' of the host
   bool without_cts = false;
@@ -57,12 +57,12 @@ struct InjectedFault {
   bool never_homes = false;
   bool forgets_home = false;  // once, when the fault is asked for
   std::int64_t reply_delay_ns = 0;
-  std::int64_t reply_creep_ns = 0;  // each answer comes so much later than the one before
+  std::int64_t reply_creep_ns = 0;  // added to the delay of each further answer
   bool duplicated_replies = false;
-  int noise_bytes = 0;  // so many come before one answer, once
+  int noise_bytes = 0;  // that come before one answer, once
   ReplyFault reply = ReplyFault::none;
-  unsigned reply_interval = 1;  // of each so many answers the last one has this fault
-  int faulty_replies = 0;       // so many of them, since the fault was asked for; 0: all
+  unsigned reply_interval = 1;  // 1: every answer has this fault; n: every n-th
+  int faulty_replies = 0;       // how many answers have it; 0: all
 
   // No power in the device behind the USB chip: silence, and what was loaded and homed is forgotten.
   bool power_lost = false;

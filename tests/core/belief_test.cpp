@@ -55,7 +55,7 @@ TYPED_TEST(BeliefInDimension, WhatAWrongBeliefCostsIsWhatTheEquilibriaSay) {
     const Equilibrium<D> full = equilibrium_fully_actuated(setting.wall, k, setting.goal);
     const double force_rounding = 1e-14 * glm::length(full.force) / std::abs(naive.x);
     const double place_rounding = 1e-14 / std::abs(naive.y);
-    if (force_rounding > 1e-6 || place_rounding > 1e-6) continue;  // so shallow that there is nothing to see
+    if (force_rounding > 1e-6 || place_rounding > 1e-6) continue;  // too shallow to see anything
     ++compared;
     const double greatest = std::max(1.0, std::abs(told));
     EXPECT_NEAR(believed.x / naive.x, told, greatest * (100.0 * force_rounding + 1e-11));
@@ -143,7 +143,7 @@ TEST(BeliefTest, TheRatioOfLeastRegretIsTheBestThatCanBeFound) {
     const Drawn drawn = draw(random);
     const double ratio = least_regret_ratio(drawn.alpha, drawn.k_r, drawn.epsilon, drawn.hands);
     const double regret = drawn.regrets.greatest(ratio, drawn.hands);
-    // Both ends alike, and nothing between them is worse.
+    // The ends are alike, and nothing between them is worse.
     EXPECT_NEAR(drawn.regrets.of(ratio, drawn.hands.least), regret, 1e-9 * (1.0 + regret));
     EXPECT_NEAR(drawn.regrets.of(ratio, drawn.hands.greatest), regret, 1e-9 * (1.0 + regret));
     double best = std::numeric_limits<double>::infinity();

@@ -21,26 +21,26 @@ bool put(Ring& ring, std::uint64_t number) {
   Whole* const slot = ring.slot();
   if (slot == nullptr) return false;
   slot->words.fill(number);
-  ring.put();
+  ring.push();
   return true;
 }
 
 TEST(RingTest, GivesNothingWhileItIsEmpty) {
   Ring<Whole, 4> ring;
   Whole value{};
-  EXPECT_FALSE(ring.take(value));
+  EXPECT_FALSE(ring.try_pop(value));
   ASSERT_TRUE(put(ring, 1));
-  EXPECT_TRUE(ring.take(value));
-  EXPECT_FALSE(ring.take(value));
+  EXPECT_TRUE(ring.try_pop(value));
+  EXPECT_FALSE(ring.try_pop(value));
 }
 
 TEST(RingTest, ASlotThatIsNotPutIsNobodys) {
   Ring<Whole, 4> ring;
   Whole value{};
   ring.slot()->words.fill(1);
-  EXPECT_FALSE(ring.take(value));
+  EXPECT_FALSE(ring.try_pop(value));
   ASSERT_TRUE(put(ring, 2));
-  ASSERT_TRUE(ring.take(value));
+  ASSERT_TRUE(ring.try_pop(value));
   EXPECT_EQ(value.words[0], 2U);
 }
 
@@ -53,7 +53,7 @@ TEST(RingTest, HoldsAsManyAsItSaysAndNoMore) {
     while (put(ring, next)) ++next;
     EXPECT_EQ(next - oldest, 4U);
     for (int i = 0; i <= round % 4; ++i) {
-      ASSERT_TRUE(ring.take(value));
+      ASSERT_TRUE(ring.try_pop(value));
       EXPECT_EQ(value.words[0], oldest++);
     }
   }
@@ -75,7 +75,7 @@ TEST(RingTest, TwoThreadsLoseNothing) {
   std::uint64_t wrong = 0;
   Whole value{};
   for (std::uint64_t number = 0; number < count;) {
-    if (!ring.take(value)) {
+    if (!ring.try_pop(value)) {
       std::this_thread::yield();
       continue;
     }
@@ -86,12 +86,12 @@ TEST(RingTest, TwoThreadsLoseNothing) {
   }
   writer.join();
   EXPECT_EQ(wrong, 0U);
-  EXPECT_FALSE(ring.take(value));
+  EXPECT_FALSE(ring.try_pop(value));
 }
 
 static_assert(noexcept(std::declval<Ring<Whole, 4>&>().slot()));
-static_assert(noexcept(std::declval<Ring<Whole, 4>&>().put()));
-static_assert(noexcept(std::declval<Ring<Whole, 4>&>().take(std::declval<Whole&>())));
+static_assert(noexcept(std::declval<Ring<Whole, 4>&>().push()));
+static_assert(noexcept(std::declval<Ring<Whole, 4>&>().try_pop(std::declval<Whole&>())));
 
 }  // namespace
 }  // namespace ghostforce::ring_test

@@ -81,10 +81,10 @@ bool live(int ticks, Log& log) {
     newest.publish(snapshot_of(coefficients, state));
     if (Snapshot* const slot = log.slot(); slot != nullptr) {
       take_snapshot(coefficients, state, *slot);
-      log.put();
+      log.push();
     }
     if (k % 100 == 0) {
-      for (Snapshot taken; log.take(taken);) {
+      for (Snapshot taken; log.try_pop(taken);) {
       }
     }
     if (newest.latest().strategies[0].in_contact) ++contacts;

@@ -22,7 +22,7 @@ struct FaultOutcome {
   bool was_taken_anew = false;              // the device was, before the force had ended
   bool went_on = false;                     // the motors stayed armed, and got new commands
   std::int64_t longest_hold_ns = 0;         // of a force without a new command
-  std::int64_t longest_false_off_ns = 0;    // so long a device went on pushing while the program said "off"
+  std::int64_t longest_false_off_ns = 0;    // of a device that went on pushing while the program said "off"
   std::uint64_t forces_after_hold = 0;      // commands with a force that came once the program could run again
   bool lost_home = false;
   OffReason reason = OffReason::none;            // by which the motors went off, as the program says
@@ -34,7 +34,7 @@ struct FaultOutcome {
   bool other_was_taken_first = false;            // the other Falcon, while this one was there and pushed
   std::optional<std::int64_t> fast_ns;           // since it was taken away: until the device was fast enough
   bool stays_slow = false;
-  std::int64_t late_ns = 0;  // so late was the machine, at worst, while the force ended
+  std::int64_t late_ns = 0;  // the longest delay of the machine itself while the force ended
 
   std::string words() const;  // what the program says
 };

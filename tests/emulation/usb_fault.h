@@ -16,11 +16,11 @@ namespace ghostforce {
 struct EndpointFaults {
   static constexpr int for_ever = -1;
 
-  int failures = 0;    // so many transfers fail
+  int failures = 0;    // transfers that fail
   int error = 0;       // with this errno, as the status of a URB has it; EPIPE is a stall
   bool halts = false;  // all transfers fail with EPIPE until the host clears the halt: what asked for it may be gone
   bool halts_again = false;  // as soon as the halt is cleared, as long as this is asked for
-  int nak_ms = 0;            // so long no transfer gets anywhere, and none fails; or for_ever
+  int nak_ms = 0;            // for this long no transfer ends and none fails; or for_ever
 
   friend bool operator==(const EndpointFaults&, const EndpointFaults&) = default;
 };
@@ -33,10 +33,10 @@ struct UsbFault {
   EndpointFaults out;
 
   // The control endpoint. A request that is refused is stalled; the next one is welcome again.
-  int control_nak_ms = 0;             // so long it answers nothing
+  int control_nak_ms = 0;             // for this long it answers nothing
   int control_nak_ms_when_taken = 0;  // once, from when a program next claims the interface
   int refused_request = no_request;   // bRequest of the chip's
-  int refusals = 0;                   // so many; or EndpointFaults::for_ever
+  int refusals = 0;                   // how many of them are refused; or EndpointFaults::for_ever
   int clear_halt_ms = 0;              // clearing a halt takes so long
 
   bool is_unplugged = false;

@@ -13,7 +13,7 @@
 #include "app/shell/desktop/glfw_window.h"
 #include "app/stage/stage_face.h"
 #include "app/state/apply.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/set_up_of.h"
 #include "app/state/stage_modes.h"
 #include "app/workbench/panel_catalog.h"
@@ -75,7 +75,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   if (request.mode != StageMode::none) apply(session, ToggleMode{request.mode});
   if (request.mode == StageMode::why) session.stage.why_step = last_why_step;
   if (request.lesson) show_lesson(session, *request.lesson);
-  if (moment.hand) show_hand_burst(session, *moment.hand);
+  if (moment.hand) show_stiffness_probe(session, *moment.hand);
   if (request.is_bare) session.stage.guess.reset();
   if (request.hides_handle) {
     session.stage.mode = StageMode::predict;
@@ -132,7 +132,7 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
   if (has_diverged(state)) refuse_unstable_loop();
   // A lesson's step waits for whoever does it.
   if (request.mode == StageMode::measure && !request.lesson) {
-    moment.hand = measure_simulated_hand(scene, moment.snapshot.time_s, HandBurst::gives_up_after_s);
+    moment.hand = measure_simulated_hand(scene, moment.snapshot.time_s, StiffnessProbe::gives_up_after_s);
   }
   return moment;
 }

@@ -94,7 +94,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .make_servo_driver = [&times] { return std::make_unique<MeasuredServoDriver>(times.servo); },
       .show_link = browser::show_link,
       .offers_hints = preferences.offers_hints};
-  if (start.is_kiosk) options.visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();
+  if (start.is_kiosk) options.kiosk_visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();
   options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;  // ticks come in bursts
   options.folded_panels = panels_folded_at_first(WindowLayout::first_height / preferences.appearance.scale);
   return options;

@@ -94,7 +94,7 @@ std::string page_state(Page& page) {
       {"dialog", dialog_names[static_cast<std::size_t>(session.dialog)]},
       {"notice", session.notice ? session.notice->words : ""},
       {"lesson", lesson_json(session)},
-      {"kiosk", session.visit.has_value()},
+      {"kiosk", session.kiosk_visit.has_value()},
       {"set_up", set_up_line(set_up_of(session, shown))},
       {"size_px", Json::array({window.pixel_width(), window.pixel_height()})},
       {"density", size.width > 0 ? static_cast<double>(window.pixel_width()) / size.width : 1.0},

@@ -45,7 +45,7 @@ void TouchGestures::follow(std::span<const Vector<2>> fingers, double now_s) {
     if (waits_for_lift_) return press({});
     if (pressed_) return point_at(finger);
     if (!landing_) landing_ = Landing{finger, now_s};
-    if (glm::distance(finger, landing_->place) < first_move) return wait(now_s);
+    if (glm::distance(finger, landing_->place) < first_move) return advance(now_s);
     press_one(landing_->place);
     point_at(finger);
   } else {
@@ -60,7 +60,7 @@ void TouchGestures::follow(std::span<const Vector<2>> fingers, double now_s) {
   }
 }
 
-void TouchGestures::wait(double now_s) {
+void TouchGestures::advance(double now_s) {
   if (landing_ && now_s - landing_->time_s >= longest_wait_s) press_one(landing_->place);
 }
 

@@ -18,7 +18,7 @@ class TouchGestures {
   // All fingers that are down, where they are [CSS pixels, y down].
   void follow(std::span<const Vector<2>> fingers, double now_s);
   // Between those, often.
-  void wait(double now_s);
+  void advance(double now_s);
 
  private:
   struct Landing {

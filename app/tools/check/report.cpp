@@ -56,7 +56,7 @@ constexpr std::array<PictureKind, 3> picture_kinds{{
 
 // A file's name as a link beside the page.
 std::string link_to(std::string_view file_name) {
-  std::string link = "./";  // so that a colon in it makes no scheme
+  std::string link = "./";  // a colon in the path must not be read as a scheme
   for (const char c : file_name) {
     const bool is_plain =
         (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';

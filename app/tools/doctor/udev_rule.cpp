@@ -57,7 +57,7 @@ void tell(const std::string& words) {
     OutputFile output("-");
     output.write(words);
     output.commit();
-  } catch (const ReaderGone&) {
+  } catch (const BrokenPipe&) {
   }
 }
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view energy_scene = "wall45";
 constexpr double depth_of_center = 0.025;  // the device stays inside all the way round [m]
 constexpr double radius = 0.010;           // [m]
-constexpr double turns_per_second = 0.1;   // so slow that the loop's delay is lost in the line's width
+constexpr double turns_per_second = 0.1;   // slow enough that the delay of the loop is lost in the width of the line
 constexpr double greatest_tracking_ratio = 20.0;
 
 Circle circle_in(const Settings& settings, bool is_counter_clockwise) {

@@ -207,7 +207,7 @@ class Drawing {
         const Vector<2> middle = at + side * (gap + reach) + side * half;
         const Vector<2> corner = middle - 0.5 * extent;
         const bool leaves = corner.x < 3.0 || corner.y < 3.0 || corner.x > room.x || corner.y > room.y;
-        const double cost = crowding({corner + Vector<2>(0.0, 0.1 * extent.y), corner + extent}) + 2.5 * reach +
+        const double cost = overlap_cost({corner + Vector<2>(0.0, 0.1 * extent.y), corner + extent}) + 2.5 * reach +
                             ambiguity(middle, point) + (leaves ? 1e5 : 0.0);
         if (cost < least) {
           least = cost;
@@ -245,7 +245,7 @@ class Drawing {
     return paper().text;
   }
 
-  double crowding(const ScreenBox& box) const {
+  double overlap_cost(const ScreenBox& box) const {
     double cost = 0.0;
     for (const ScreenBox& other : taken_) cost += 60.0 * std::sqrt(overlap(box.grown(2.0), other));
     for (const ScreenBox& other : spots_) cost += 12.0 * std::sqrt(overlap(box, other));

@@ -112,7 +112,7 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
   std::vector<double> times;
   const double began_s = rig.bench().now_s();
   for (int i = 0; i < count; ++i) {
-    rig.look();
+    rig.poll();
     times.push_back(rig.bench().last_exchange_s());
   }
   const double rate = count / (rig.bench().now_s() - began_s);
@@ -134,8 +134,8 @@ std::vector<Finding> measure_exchanges(MeasuringRig& rig) {
        {CommandFrame::green, static_cast<std::uint8_t>(CommandFrame::green | CommandFrame::homing),
         CommandFrame::green}) {
     for (int i = 0; i < 300; ++i) {
-      const ReplyFrame before = rig.look(i == 0 ? CommandFrame::green : info);
-      const ReplyFrame after = rig.look(info);
+      const ReplyFrame before = rig.poll(i == 0 ? CommandFrame::green : info);
+      const ReplyFrame after = rig.poll(info);
       for (std::size_t k = 0; k < 3; ++k) leap = std::max(leap, std::abs(1.0 * after.encoders[k] - before.encoders[k]));
     }
   }
@@ -171,7 +171,7 @@ std::vector<Finding> check_lights(MeasuringRig& rig) {
   Finding finding{.title = "Lights", .settles = "which bit is which light"};
   finding.state = Finding::State::as_assumed;
   for (const Bit& light : lights) {
-    for (int i = 0; i < 50; ++i) rig.look(light.bit);
+    for (int i = 0; i < 50; ++i) rig.poll(light.bit);
     const std::string answer =
         rig.ask({.kind = OperatorAction::Kind::say_light},
                 "Look at the ring of light on the device. What colour is it? Type red, green, blue or other.");
@@ -195,7 +195,7 @@ std::vector<Finding> check_buttons(MeasuringRig& rig) {
         fmt::format("Within ten seconds after Enter, press the button {} of the grip and release it.", button.name));
     unsigned seen = 0;
     for (const double end_s = rig.bench().now_s() + patience_s; rig.bench().now_s() < end_s;) {
-      const unsigned now = rig.look().status & 0x0FU;
+      const unsigned now = rig.poll().status & 0x0FU;
       if (seen != 0 && now == 0) break;
       seen |= now;
     }

@@ -116,7 +116,7 @@ Vector<3> MeasuringRig::read_still_at(const OperatorAction& action, const std::s
     double since_s = -1.0;
     const double deadline_s = bench_.now_s() + still_patience_s;
     while (bench_.now_s() < deadline_s) {
-      const Vector<3> now = vector_of(look().encoders);
+      const Vector<3> now = vector_of(poll().encoders);
       least = glm::min(least, now);
       greatest = glm::max(greatest, now);
       const Vector<3> spread = greatest - least;
@@ -173,13 +173,13 @@ ReplyFrame MeasuringRig::exchange(const CommandFrame& command) {
   }
 }
 
-ReplyFrame MeasuringRig::look(std::uint8_t info) {
+ReplyFrame MeasuringRig::poll(std::uint8_t info) {
   sent_ = Vector<3>(0.0);
   return exchange({.motors = {}, .info = info});
 }
 
 void MeasuringRig::rest(double seconds) {
-  for (const double end_s = bench_.now_s() + seconds; bench_.now_s() < end_s;) look();
+  for (const double end_s = bench_.now_s() + seconds; bench_.now_s() < end_s;) poll();
 }
 
 MotorStop MeasuringRig::see(const ReplyFrame& reply, RigSample& sample) {
@@ -260,7 +260,7 @@ void MeasuringRig::turn_off() {
   sent_ = Vector<3>(0.0);
   place_count_ = 0;
   // A single reply may be one that came twice.
-  if (!bench_.stop()) look();
+  if (!bench_.stop()) poll();
 }
 
 // The button is held, and the handle has been near the place, and slow, for a moment.
@@ -269,7 +269,7 @@ bool MeasuringRig::await_ready(const Vector<3>& place) {
   place_count_ = 0;
   for (const double end_s = since_s + button_patience_s; bench_.now_s() < end_s;) {
     RigSample sample;
-    const bool is_ready = see(look(), sample) == MotorStop::none && glm::distance(sample.position, place) <= near &&
+    const bool is_ready = see(poll(), sample) == MotorStop::none && glm::distance(sample.position, place) <= near &&
                           glm::length(sample.velocity) <= slow;
     if (!is_ready) since_s = bench_.now_s();
     if (bench_.now_s() - since_s >= ready_s) return true;

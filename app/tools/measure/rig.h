@@ -85,7 +85,7 @@ class MeasuringRig {
   Vector<3> read_still_at(const OperatorAction& action, const std::string& words);
 
   // Motors off: one exchange, or so many seconds of them.
-  ReplyFrame look(std::uint8_t info = CommandFrame::green);
+  ReplyFrame poll(std::uint8_t info = CommandFrame::green);
   void rest(double seconds);
 
   // Has the person hold a button near the action's place, does what is to be done, and turns the motors off. Whatever

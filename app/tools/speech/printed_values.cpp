@@ -53,12 +53,12 @@ std::string printed_line(const StageReading& reading, double time_s) {
   return with_time(columns_of(reading), time_s);
 }
 
-bool PrintedValues::wait(double interval_s) noexcept {
+bool PrintedValues::advance(double interval_s) noexcept {
   since_s_ += interval_s;
   return since_s_ >= period_s_;
 }
 
-std::optional<std::string> PrintedValues::look(const StageReading& reading, double time_s) {
+std::optional<std::string> PrintedValues::poll(const StageReading& reading, double time_s) {
   std::string columns = columns_of(reading);
   if (columns == printed_) return std::nullopt;
   printed_ = std::move(columns);

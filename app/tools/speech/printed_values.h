@@ -24,11 +24,11 @@ class PrintedValues {
 
   explicit PrintedValues(double hz) : period_s_(1.0 / hz), since_s_(period_s_) {}
 
-  // Time goes on. True: it is time to look().
-  bool wait(double interval_s) noexcept;
+  // Time goes on. True: it is time to poll().
+  bool advance(double interval_s) noexcept;
 
   // The line to print; empty: nothing is new.
-  std::optional<std::string> look(const StageReading& reading, double time_s);
+  std::optional<std::string> poll(const StageReading& reading, double time_s);
 
  private:
   double period_s_;

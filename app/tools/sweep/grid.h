@@ -21,7 +21,7 @@ struct Range {
   const SceneKey* key;         // its value is a NumberKey or an OptionalNumberKey
   std::vector<double> values;  // in the file's unit, one or more; the first and the last are FROM and TO exactly, and
                                // no other lies beyond them
-  bool logarithmic;            // the same ratio from value to value, not the same step
+  bool logarithmic;            // equal ratios from value to value instead of equal steps
 };
 
 // KEY=FROM:TO:COUNT or KEY=FROM:TO:COUNT:log, blanks around each part allowed. All values lie in the key's range.

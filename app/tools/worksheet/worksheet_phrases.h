@@ -15,7 +15,7 @@ struct WorksheetPhrases {
   std::string_view how;       // to work with the page then
   std::string_view because;   // after the answers to choose from
   std::string_view draw;      // into the picture of a guess
-  std::string_view off_by;    // so many mm was the guess on the screen
+  std::string_view off_by;    // how far off the guess on the screen was, in mm
   std::string_view done;      // a box to tick when a task is done,
   std::string_view found;     // and a line for what it took
   std::string_view look;      // of steps without a question,

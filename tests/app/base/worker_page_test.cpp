@@ -13,8 +13,8 @@ TEST(WorkerPage, MakesOneStepALook) {
     return true;
   });
   EXPECT_EQ(steps, 0);
-  worker.look();
-  worker.look();
+  worker.poll();
+  worker.poll();
   EXPECT_EQ(steps, 2);
 }
 

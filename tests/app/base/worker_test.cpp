@@ -13,7 +13,7 @@ namespace {
 template <typename Condition>
 void look_until(Worker& worker, Condition&& condition) {
   while (!condition()) {
-    worker.look();
+    worker.poll();
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
@@ -23,7 +23,7 @@ TEST(Worker, MakesStepsUntilOneIsTheLast) {
   Worker worker("steps", 0.0, [&steps] { return ++steps < 5; });
   look_until(worker, [&] { return !worker.is_running(); });
   EXPECT_EQ(steps, 5);
-  worker.look();
+  worker.poll();
   EXPECT_EQ(steps, 5);
 }
 
@@ -33,11 +33,11 @@ TEST(Worker, MakesNoneAfterTheEnd) {
     ++steps;
     return true;
   });
-  worker.look();
+  worker.poll();
   worker.end();
   EXPECT_FALSE(worker.is_running());
   const int made = steps;
-  worker.look();
+  worker.poll();
   worker.end();
   EXPECT_EQ(steps, made);
 }
@@ -50,7 +50,7 @@ TEST(Worker, WaitsBeforeAStepAndNotForItsEnd) {
       ++steps;
       return true;
     });
-    worker.look();
+    worker.poll();
     EXPECT_TRUE(worker.is_running());
   }
   EXPECT_EQ(steps, 0);

@@ -30,9 +30,9 @@ class ClipboardToolTest : public testing::Test {
   // Looks until the last one has ended; what was said on the way.
   std::string look_until_the_end() {
     std::string words;
-    // Leaves it to be buried by look().
+    // Leaves it to be buried by poll().
     siginfo_t info{};
-    while (tool_.running() > 0 && waitid(P_ALL, 0, &info, WEXITED | WNOWAIT) == 0) words += tool_.look();
+    while (tool_.running() > 0 && waitid(P_ALL, 0, &info, WEXITED | WNOWAIT) == 0) words += tool_.poll();
     return words;
   }
 
@@ -53,12 +53,12 @@ TEST_F(ClipboardToolTest, GetsThePictureAndItsKindWithoutAShell) {
 }
 
 TEST_F(ClipboardToolTest, LeavesNoZombieAndWaitsForNobody) {
-  // It ends when somebody opens the pipe: as long as nobody does, look() must come back.
+  // It ends when somebody opens the pipe: as long as nobody does, poll() must come back.
   const std::string pipe = folder_ / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   make_tool("xclip", "echo > " + pipe);
   ASSERT_EQ(tool_.copy_png(some_png(), DisplayKind::x11), "");
-  EXPECT_EQ(tool_.look(), "");
+  EXPECT_EQ(tool_.poll(), "");
   EXPECT_EQ(tool_.running(), 1U);
   read_whole(pipe);
   look_until_the_end();

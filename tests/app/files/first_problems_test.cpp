@@ -1,5 +1,5 @@
 // That a file which is wrong from end to end is told of from its beginning, and costs no more than its reading.
-#include "app/files/first_problems.h"
+#include "app/files/problem_list.h"
 
 #include <algorithm>
 #include <string>
@@ -14,7 +14,7 @@
 namespace ghostforce::first_problems_test {
 namespace {
 
-std::vector<std::string> lines_of(const FirstProblems<int>& problems) {
+std::vector<std::string> lines_of(const ProblemList<int>& problems) {
   std::vector<std::string> lines;
   const std::size_t more =
       problems.tell([&](int place, const std::string& words) { lines.push_back(fmt::format("{}: {}", place, words)); });
@@ -22,8 +22,8 @@ std::vector<std::string> lines_of(const FirstProblems<int>& problems) {
   return lines;
 }
 
-TEST(FirstProblems, AreToldInTheirOrder) {
-  FirstProblems<int> problems;
+TEST(ProblemList, AreToldInTheirOrder) {
+  ProblemList<int> problems;
   EXPECT_TRUE(problems.empty());
   problems.add(3, "c");
   problems.add(1, "a");
@@ -32,9 +32,9 @@ TEST(FirstProblems, AreToldInTheirOrder) {
   EXPECT_EQ(lines_of(problems), (std::vector<std::string>{"1: a", "3: c", "3: d"}));
 }
 
-TEST(FirstProblems, GetWordsOnlyIfTheyAreTold) {
+TEST(ProblemList, GetWordsOnlyIfTheyAreTold) {
   for (const bool is_backwards : {false, true}) {
-    FirstProblems<int> problems;
+    ProblemList<int> problems;
     int words_made = 0;
     constexpr int count = 100'000;
     for (int i = 0; i < count; ++i) {
@@ -70,7 +70,7 @@ std::string said_by(void (*read)(const std::string&)) {
   return "";
 }
 
-TEST(FirstProblems, OfScenesAndCalibrationsAreTold) {
+TEST(ProblemList, OfScenesAndCalibrationsAreTold) {
   for (const auto read : {+[](const std::string& text) { read_scene("format = 1\n" + text, "f.toml"); },
                           +[](const std::string& text) { read_falcon_calibration("format = 1\n" + text, "f.toml"); }}) {
     const std::string said = said_by(read);

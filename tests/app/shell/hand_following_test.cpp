@@ -9,7 +9,7 @@
 
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/set_up_of.h"
@@ -215,20 +215,20 @@ TEST_F(HandFollowingWindow, AMeasuredBeliefIsOneUntilAnotherIsTyped) {
   EXPECT_EQ(session().belief_source, BeliefSource::measured);
 }
 
-TEST_F(HandFollowingWindow, ABurstOnTheStageMeasuresOnceAndItsResultCanBeBelieved) {
+TEST_F(HandFollowingWindow, AProbeOnTheStageMeasuresOnceAndItsResultCanBeBelieved) {
   stiffnesses().believed_k_u = 900.0;
   frames(2);
   for (const double k_u : {given, 500.0}) {
     stiffnesses().k_u = k_u;
     seconds(1.0);
-    start_hand_burst(session());
+    start_stiffness_probe(session());
     frames(2);
     EXPECT_TRUE(hand().is_measuring);
     seconds(3.0);
-    ASSERT_TRUE(session().hand_burst.is_known());
+    ASSERT_TRUE(session().stiffness_probe.is_known());
     EXPECT_FALSE(hand().is_measuring) << "once";
     EXPECT_EQ(session().belief_source, k_u == given ? BeliefSource::typed : BeliefSource::measured) << "as it was";
-    believe_hand_burst(session());
+    believe_stiffness_probe(session());
     frames(3);
     EXPECT_EQ(session().belief_source, BeliefSource::measured);
     EXPECT_NEAR(*believed(), k_u, 0.005 * k_u) << "a hand without noise is known within 0.5 %";

@@ -59,7 +59,7 @@ class SwitchLink final : public InputLink {
   bool is_idle() const noexcept override { return false; }
   bool has_news() const noexcept override { return log_.has_news; }
   std::string why_not_leave() override { return log_.why_not_leave; }
-  EndOfVisit end() const override { return {ExitCode::device_absent, "The switch is gone."}; }
+  EndOfRun end() const override { return {ExitCode::device_absent, "The switch is gone."}; }
 
  private:
   Switch& input_;

@@ -306,7 +306,7 @@ TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
   press(key::right);
   EXPECT_EQ(session().goal, goal) << "none of these is the goal's";
   EXPECT_EQ(session().face, Face::workbench) << "nor a step of the talk";
-  EXPECT_FALSE(session().stage.talk_step);
+  EXPECT_FALSE(session().stage.demo_step);
 }
 
 TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {

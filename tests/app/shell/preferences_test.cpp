@@ -108,7 +108,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       language,
       // Nothing of a visit is kept.
-      visit,
+      kiosk_visit,
       // As the stage.
       shown, pane_views, stage_shown,
       // KEPT; of the plots, what they show is of the moment.
@@ -130,7 +130,7 @@ void name_the_parts_of_the_session(Session& session) {
       // KEPT.
       spacemouse,
       // Of the hand that is measured, and of the wall that is circled.
-      aims_at_target, measurement, hand_burst, circle_test,
+      aims_at_target, measurement, stiffness_probe, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
       injected_fault, input, pointer_moves_goal, hand_is_simulated, motors_may_push,
       // A recording has a new name each time.

@@ -74,15 +74,15 @@ TEST_F(ShaderWatchTest, ABrokenShaderIsShownAndTheOldOneGoesOn) {
 TEST_F(ShaderWatchTest, TheMessageHoldsTheLogAndTheNumberedSource) {
   GlPainter painter(window().fonts());
   ShaderWatch watch(folder_.path());
-  watch.look(painter, 0.0);
+  watch.poll(painter, 0.0);
   EXPECT_EQ(watch.problem(), "");
   write_whole(folder_ / "mark.frag", "#version 330 core\nthis is no shader\n");
-  watch.look(painter, 0.1);
+  watch.poll(painter, 0.1);
   EXPECT_EQ(watch.problem(), "") << "not every frame";
-  watch.look(painter, 1.0);
+  watch.poll(painter, 1.0);
   EXPECT_NE(watch.problem().find("   2 this is no shader"), std::string::npos) << watch.problem();
   std::filesystem::remove(folder_ / "mark.frag");
-  watch.look(painter, 2.0);
+  watch.poll(painter, 2.0);
   EXPECT_NE(watch.problem().find("mark.frag cannot be read"), std::string::npos) << watch.problem();
 }
 
@@ -92,7 +92,7 @@ TEST_F(ShaderWatchTest, TheDriverCountsLinesAsTheFileDoes) {
   for (const std::string first : {"#version 330 core", "#version 300 es", "// no version"}) {
     write_whole(folder_ / "mark.frag", first + "\nout vec4 colour;\nthis is no shader\n");
     ShaderWatch watch(folder_.path());
-    watch.look(painter, 0.0);
+    watch.poll(painter, 0.0);
     EXPECT_NE(watch.problem().find("0:3("), std::string::npos) << watch.problem();
     EXPECT_NE(watch.problem().find("   3 this is no shader"), std::string::npos) << watch.problem();
   }
@@ -104,12 +104,12 @@ TEST_F(ShaderWatchTest, AVersionInTheFileIsReplaced) {
   for (const std::string first : {"#version 330 core\n", "#version 300 es\r\n"}) {
     write_whole(folder_ / "mark.frag", first + fragment_);
     ShaderWatch watch(folder_.path());
-    watch.look(painter, 0.0);
+    watch.poll(painter, 0.0);
     EXPECT_EQ(watch.problem(), "");
   }
   write_whole(folder_ / "mark.frag", "#version 330 core");
   ShaderWatch watch(folder_.path());
-  watch.look(painter, 0.0);
+  watch.poll(painter, 0.0);
   EXPECT_NE(watch.problem(), "") << "nothing else is in it";
 }
 

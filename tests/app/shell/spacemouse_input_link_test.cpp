@@ -11,22 +11,22 @@ TEST(SpaceMouseInputLink, HasNewsUntilTheFrameAfter) {
   SpaceMouseInput input;
   Session session;
   SpaceMouseInputLink link(input, {}, {}, {});
-  link.look();
+  link.poll();
   EXPECT_FALSE(link.has_news());
   SpaceMouseReading reading;
   reading.trouble = Trouble::none;
   reading.connection = 1;
   input.publish(reading);
-  link.look();
+  link.poll();
   EXPECT_TRUE(link.has_news());
-  link.look();
+  link.poll();
   EXPECT_TRUE(link.has_news());
   link.send(session, 0.01);
-  link.look();
+  link.poll();
   EXPECT_FALSE(link.has_news());
   ++reading.reports;
   input.publish(reading);
-  link.look();
+  link.poll();
   EXPECT_TRUE(link.has_news());
 }
 
@@ -40,7 +40,7 @@ TEST(SpaceMouseInputLink, HasSomethingToShowAndEndsWithTheTrouble) {
   SpaceMouseReading reading;
   reading.trouble = Trouble::not_opened;
   input.publish(reading);
-  link.look();
+  link.poll();
   EXPECT_EQ(link.end().code, ExitCode::device_refused);
 }
 

@@ -20,9 +20,9 @@ class VisibleStateTest : public testing::Test {
   // Whether what `change` does can be seen.
   bool sees(const std::function<void()>& change) {
     const VisibleState before = state();
-    EXPECT_FALSE(looks_other(before, state(), points_per_metre));
+    EXPECT_FALSE(differs_visibly(before, state(), points_per_metre));
     change();
-    return looks_other(before, state(), points_per_metre);
+    return differs_visibly(before, state(), points_per_metre);
   }
 
   Session session_ = session_of(load_scene("wall45"));
@@ -88,8 +88,8 @@ TEST_F(VisibleStateTest, PlacesAndForcesAreSeenFromASmallestStepOn) {
 TEST_F(VisibleStateTest, AFinerPictureShowsMore) {
   const VisibleState before = state();
   snapshot_.goal.x += 2e-7;
-  EXPECT_FALSE(looks_other(before, state(), points_per_metre));
-  EXPECT_TRUE(looks_other(before, state(), 10.0 * points_per_metre));
+  EXPECT_FALSE(differs_visibly(before, state(), points_per_metre));
+  EXPECT_TRUE(differs_visibly(before, state(), 10.0 * points_per_metre));
 }
 
 TEST_F(VisibleStateTest, WhatTheSessionSaysIsSeen) {

@@ -55,7 +55,7 @@ void prepare(const KeyBinding& binding, Session& session) {
   session.paused = true;  // nothing but the key moves the picture
   if (binding.key == key::digit_2) session.settings.active = StrategyId::full;
   if (binding.key == key::enter || binding.key == key::number_pad_enter) apply(session, ToggleMode{StageMode::why});
-  if (is(key::page_up, 0)) session.stage.talk_step = 3;
+  if (is(key::page_up, 0)) session.stage.demo_step = 3;
   if (is(key::b, 0)) apply(session, ShowFace{Face::stage});
   if (is(key::escape, 0)) session.dialog = Dialog::help;
   if (is(key::digit_0, modifier::control)) session.appearance.scale = 1.5;

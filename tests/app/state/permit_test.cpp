@@ -17,7 +17,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_shelf.h"
 #include "app/state/measurement_guide.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 
 namespace ghostforce::permit_test {
 namespace {
@@ -57,7 +57,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       ToggleDialog{Dialog::palette},
                                       ToggleBlank{}};
   for (const Action& action : forbidden) EXPECT_TRUE(may(action)) << action.index();
-  begin_visit(session, shipped_lessons());
+  begin_kiosk_visit(session, shipped_lessons());
   for (const Action& action : forbidden) {
     EXPECT_FALSE(may(action)) << action.index();
     EXPECT_TRUE(apply(session, action).empty()) << action.index();
@@ -68,7 +68,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
 }
 
 TEST_F(PermitTest, KeysThatVisitorsHaveArePermittedOneByOne) {
-  begin_visit(session, shipped_lessons());
+  begin_kiosk_visit(session, shipped_lessons());
   std::ptrdiff_t theirs = 0;
   for (const KeyBinding& binding : key_table()) {
     if (!binding.action || !may(*binding.action)) continue;

@@ -189,7 +189,7 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
     EXPECT_EQ(session().stage.why_step, steps[i].why_step) << i;
   };
   press(key::page_up);
-  EXPECT_FALSE(session().stage.talk_step) << "nothing is before the first";
+  EXPECT_FALSE(session().stage.demo_step) << "nothing is before the first";
   apply(session(), ShowFace{Face::workbench});
   for (std::size_t i = 0; i < steps.size(); ++i) {
     press(key::page_down);

@@ -276,7 +276,7 @@ class PlotFile : public testing::Test {
 
 TEST_F(PlotFile, HoldsTheTicksInSight) {
   const auto lines = rows(file("plots.csv"));
-  ASSERT_EQ(lines.size(), 1U + 3U * 501U);  // both ends
+  ASSERT_EQ(lines.size(), 1U + 3U * 501U);  // ends included
   EXPECT_EQ(lines[0], "t_s,strategy,force_N,ghost_force_N,proxy_drift_mm,energy_mJ");
   EXPECT_TRUE(lines[1].starts_with("1,full,"));
   EXPECT_TRUE(lines.back().starts_with("1.5,anisotropic,"));

@@ -181,7 +181,7 @@ TEST_F(ServoHand, AnotherRateDoesNotCutTheTonesOff) {
   send();
   Vector<2> before = samples(1000).back().tone;
   change([](Settings& settings) { settings.rate = 2000.0; });
-  // Both tones at their steepest, from one tick to the next at the slower rate.
+  // The two tones at their steepest, from one tick to the next at the slower rate.
   const double steepest = usual_tone_force * 2.0 * std::numbers::pi * (low_tone_hz + 0.6 * high_tone_hz) / 1.6 / 1000.0;
   for (const Sample& sample : samples(400)) {
     EXPECT_LE(glm::distance(sample.tone, before), 1.001 * steepest);

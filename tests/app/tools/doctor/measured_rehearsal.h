@@ -44,7 +44,7 @@ class WatchedLink final : public FalconLink {
   void send_at_once(std::span<const std::uint8_t> bytes) noexcept override { link.send_at_once(bytes); }
   void wait_until(std::int64_t deadline_ns) noexcept override {
     link.wait_until(deadline_ns);
-    look();
+    poll();
   }
 
   VirtualLink link;
@@ -57,7 +57,7 @@ class WatchedLink final : public FalconLink {
   int drives = 0;                        // times the motors went on
 
  private:
-  void look() {
+  void poll() {
     const MotorNumbers numbers = link.motors();
     const bool is_on = numbers != MotorNumbers{};
     if (is_on && !was_on_) {

@@ -123,14 +123,14 @@ TEST(PrintedValues, ComeWhenSomethingElseThanTheTimeIsNewAndNotTooOften) {
   const StageReading naive = stage_case_at(wall45(), wall45_goal).read();
   const StageReading cure = stage_case_at(wall45(StrategyId::anisotropic), wall45_goal).read();
   PrintedValues values(5.0);
-  EXPECT_TRUE(values.wait(0.0)) << "the first line comes at once";
-  EXPECT_EQ(values.look(naive, 1.0), printed_line(naive, 1.0));
-  EXPECT_FALSE(values.wait(0.1));
-  EXPECT_TRUE(values.wait(0.1));
-  EXPECT_FALSE(values.look(naive, 2.0)) << "only the time is new";
-  EXPECT_TRUE(values.wait(0.0)) << "what comes after a rest is printed at once";
-  EXPECT_EQ(values.look(cure, 2.1), printed_line(cure, 2.1));
-  EXPECT_FALSE(values.wait(0.0));
+  EXPECT_TRUE(values.advance(0.0)) << "the first line comes at once";
+  EXPECT_EQ(values.poll(naive, 1.0), printed_line(naive, 1.0));
+  EXPECT_FALSE(values.advance(0.1));
+  EXPECT_TRUE(values.advance(0.1));
+  EXPECT_FALSE(values.poll(naive, 2.0)) << "only the time is new";
+  EXPECT_TRUE(values.advance(0.0)) << "what comes after a rest is printed at once";
+  EXPECT_EQ(values.poll(cure, 2.1), printed_line(cure, 2.1));
+  EXPECT_FALSE(values.advance(0.0));
 }
 
 }  // namespace

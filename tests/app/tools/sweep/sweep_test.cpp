@@ -330,7 +330,7 @@ TEST(SweepProgress, ATerminalIsToldHowLongItTook) {
   ASSERT_EQ(grantpt(terminal), 0);
   ASSERT_EQ(unlockpt(terminal), 0);
   const std::string other_end = ptsname(terminal);
-  const int kept_open = open(other_end.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // so that what was said stays
+  const int kept_open = open(other_end.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC);  // keeps what was said until it is read
   const Outcome outcome = run_program(
       "/bin/sh",
       {"-c", "exec \"$0\" sweep fig1 --over wall.normal_deg=90:180:3 2> \"$1\"", ghostforce_program(), other_end});

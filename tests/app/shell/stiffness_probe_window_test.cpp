@@ -4,56 +4,56 @@
 #include <string>
 
 #include "app/state/apply.h"
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "tests/app/shell/driven_window.h"
 
-namespace ghostforce::hand_burst_window_test {
+namespace ghostforce::stiffness_probe_window_test {
 namespace {
 
-class HandBurstWindow : public DrivenWindow {
+class StiffnessProbeWindow : public DrivenWindow {
  protected:
-  HandBurstWindow() { open({.face = Face::stage}); }
+  StiffnessProbeWindow() { open({.face = Face::stage}); }
 
-  const HandBurst& burst() { return session().hand_burst; }
+  const StiffnessProbe& probe() { return session().stiffness_probe; }
   // At most for so long.
   void measure(double seconds = 3.0) {
-    for (double gone = 0.0; gone < seconds && burst().is_running(); gone += frame_s) frames(1);
+    for (double gone = 0.0; gone < seconds && probe().is_running(); gone += frame_s) frames(1);
   }
   std::string sentence() { return application_->stage_reading().sentence; }
   bool says(const std::string& words) { return sentence().find(words) != std::string::npos; }
 };
 
-TEST_F(HandBurstWindow, FindsTheGivenStiffnessAndUsesIt) {
+TEST_F(StiffnessProbeWindow, FindsTheGivenStiffnessAndUsesIt) {
   // Not what is believed of it where nothing is typed.
   session().settings.stiffnesses.k_u = 320.0;
   session().settings.stiffnesses.believed_k_u = 150.0;
   frames(60);
   press(key::s);
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_TRUE(probe().is_running());
   EXPECT_TRUE(says("Keep pressing")) << sentence();
   measure();
-  ASSERT_TRUE(burst().is_known());
+  ASSERT_TRUE(probe().is_known());
   // The hand has no noise: the estimator alone is off, by half a percent at most.
-  EXPECT_NEAR(burst().estimate.k_u, 320.0, 0.005 * 320.0);
+  EXPECT_NEAR(probe().estimate.k_u, 320.0, 0.005 * 320.0);
   EXPECT_TRUE(says("Your hand: 320")) << sentence();
   press(key::enter);
   EXPECT_NEAR(session().settings.stiffnesses.believed_k_u.value_or(0.0), 320.0, 0.005 * 320.0);
   EXPECT_TRUE(says("Anisotropic (3) now counts on a hand of 320 N/m")) << sentence();
 }
 
-TEST_F(HandBurstWindow, AsksForTheWallFirst) {
+TEST_F(StiffnessProbeWindow, AsksForTheWallFirst) {
   session().goal = {-0.02, 0.02};
   frames(60);
   press(key::s);
   frames(300);
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_TRUE(probe().is_running());
   EXPECT_TRUE(says("Drag the hand into the wall.")) << sentence();
   session().goal = load_scene("wall45").goal.points.back();
   measure();
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
-TEST_F(HandBurstWindow, ItsButtonsDoWhatItsKeysDo) {
+TEST_F(StiffnessProbeWindow, ItsButtonsDoWhatItsKeysDo) {
   const auto click = [&](const StageAction& action) {
     const auto& buttons = screen().stage().picture().buttons;
     const auto found = std::ranges::find(buttons, action, &StageButton::action);
@@ -62,17 +62,17 @@ TEST_F(HandBurstWindow, ItsButtonsDoWhatItsKeysDo) {
     click_at(middle.x, middle.y);
   };
   click(StageMode::measure);
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_TRUE(probe().is_running());
   measure();
-  ASSERT_TRUE(burst().is_known());
+  ASSERT_TRUE(probe().is_known());
   click(StageCommand::measure);
-  EXPECT_TRUE(hand_burst_is_believed(session()));
+  EXPECT_TRUE(stiffness_probe_is_believed(session()));
   press(key::escape);
   EXPECT_EQ(session().stage.mode, StageMode::none);
 }
 
 // A belief that follows the hand has the tones sound all the time. Nobody can hold still enough for them to go away.
-TEST_F(HandBurstWindow, ABeliefThatFollowsBlamesNobodyForItsTrembling) {
+TEST_F(StiffnessProbeWindow, ABeliefThatFollowsBlamesNobodyForItsTrembling) {
   session().settings.active = StrategyId::anisotropic;
   frames(120);
   ASSERT_TRUE(says("the ghost force is gone")) << sentence();
@@ -88,7 +88,7 @@ TEST_F(HandBurstWindow, ABeliefThatFollowsBlamesNobodyForItsTrembling) {
 }
 
 // While the ring fills there is something new in each frame; and when all is said, nothing.
-TEST_F(HandBurstWindow, IsDrawnWhileItRunsAndThenRests) {
+TEST_F(StiffnessProbeWindow, IsDrawnWhileItRunsAndThenRests) {
   press(key::s);
   frames(30);
   for (int i = 0; i < 30; ++i) {
@@ -104,4 +104,4 @@ TEST_F(HandBurstWindow, IsDrawnWhileItRunsAndThenRests) {
 }
 
 }  // namespace
-}  // namespace ghostforce::hand_burst_window_test
+}  // namespace ghostforce::stiffness_probe_window_test

@@ -9,13 +9,13 @@
 #include "app/state/picture_set_up.h"
 #include "app/widgets/focus.h"
 #include "device/falcon/falcon_report.h"
-#include "tests/app/shell/visit_window.h"
+#include "tests/app/shell/kiosk_visit_window.h"
 #include "tests/support/places.h"
 
 namespace ghostforce::visit_window_test {
 namespace {
 
-class VisitWindowTest : public VisitWindow {
+class KioskVisitWindowTest : public KioskVisitWindow {
  protected:
   const LessonState& lesson() { return *session().lesson; }
   const StageButton* button_for(const StageAction& action) const {
@@ -45,7 +45,7 @@ class VisitWindowTest : public VisitWindow {
   }
 };
 
-TEST_F(VisitWindowTest, GoesThroughAllLessonsAndBeginsAgain) {
+TEST_F(KioskVisitWindowTest, GoesThroughAllLessonsAndBeginsAgain) {
   begin();
   for (int round = 0; round < 2; ++round) {
     for (const auto& each : shipped_lessons()) {
@@ -58,7 +58,7 @@ TEST_F(VisitWindowTest, GoesThroughAllLessonsAndBeginsAgain) {
   EXPECT_EQ(lesson().lesson->name, shipped_lessons().front()->name);
 }
 
-TEST_F(VisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
+TEST_F(KioskVisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
   begin();
   for (const std::string language : {"en", "es"}) {
     for (const auto& each : shipped_lessons()) {
@@ -77,7 +77,7 @@ TEST_F(VisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
   }
 }
 
-TEST_F(VisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) {
+TEST_F(KioskVisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheFirst) {
   begin();
   EXPECT_TRUE(says("Feel a wall"));
   EXPECT_TRUE(says("Español"));
@@ -88,7 +88,7 @@ TEST_F(VisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWithTheF
   EXPECT_TRUE(says("Feel a wall"));
 }
 
-TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
+TEST_F(KioskVisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
   begin();
   frames(60);
   const Settings settings = session().settings;
@@ -130,7 +130,7 @@ TEST_F(VisitWindowTest, StartsAgainAfterNinetySecondsWithoutAHand) {
   expect_start();
 }
 
-TEST_F(VisitWindowTest, TheFocusGoesWithTheVisitor) {
+TEST_F(KioskVisitWindowTest, TheFocusGoesWithTheVisitor) {
   begin();
   press(key::tab);
   press(key::tab);
@@ -140,7 +140,7 @@ TEST_F(VisitWindowTest, TheFocusGoesWithTheVisitor) {
   EXPECT_FALSE(has_focus());
 }
 
-TEST_F(VisitWindowTest, InvitesWhileNobodyIsThere) {
+TEST_F(KioskVisitWindowTest, InvitesWhileNobodyIsThere) {
   begin();
   EXPECT_TRUE(says("drag me"));
   frames(150);  // until the window has settled
@@ -167,7 +167,7 @@ TEST_F(VisitWindowTest, InvitesWhileNobodyIsThere) {
   EXPECT_FALSE(says("drag me"));
 }
 
-TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
+TEST_F(KioskVisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
   begin();
   frames(150);
   point_at(300.0, 300.0);
@@ -178,7 +178,7 @@ TEST_F(VisitWindowTest, ANewStartIsDrawnThoughNothingHasMoved) {
   EXPECT_TRUE(application_->needs_drawing());
 }
 
-TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
+TEST_F(KioskVisitWindowTest, NoKeyOfTheTableLeadsAway) {
   begin();
   for (const KeyBinding& binding : key_table()) {
     const bool is_end = binding.key == key::q && (binding.modifiers & modifier::alt) != 0;
@@ -188,7 +188,7 @@ TEST_F(VisitWindowTest, NoKeyOfTheTableLeadsAway) {
   }
 }
 
-TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
+TEST_F(KioskVisitWindowTest, OnlyTheChordEndsIt) {
   begin();
   ask_to_close();
   EXPECT_FALSE(window_->should_close());
@@ -201,7 +201,7 @@ TEST_F(VisitWindowTest, OnlyTheChordEndsIt) {
   EXPECT_TRUE(window_->should_close());
 }
 
-TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
+TEST_F(KioskVisitWindowTest, WhatIsDroppedIsNotTaken) {
   begin();
   const TemporaryFolder elsewhere;
   const std::string lesson_path = elsewhere / "mine.toml";
@@ -218,7 +218,7 @@ TEST_F(VisitWindowTest, WhatIsDroppedIsNotTaken) {
   }
 }
 
-TEST_F(VisitWindowTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
+TEST_F(KioskVisitWindowTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
   begin();
   frames(60);
   const SceneView shown = session().stage_shown;
@@ -230,7 +230,7 @@ TEST_F(VisitWindowTest, TheWheelAndTheRightButtonLeaveTheViewAlone) {
   EXPECT_EQ(session().stage_shown, shown);
 }
 
-TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
+TEST_F(KioskVisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   ASSERT_EQ(virtual_falcon().report().state, FalconState::idle);
@@ -266,7 +266,7 @@ TEST_F(VisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   EXPECT_EQ(motors().state, SafetyState::off);
 }
 
-TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
+TEST_F(KioskVisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   press(key::page_down);
@@ -276,7 +276,7 @@ TEST_F(VisitWindowTest, MotorsThatAreOffStayAsTheyAre) {
   EXPECT_EQ(application_->report().motors.reason, OffReason::none);
 }
 
-TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
+TEST_F(KioskVisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
   begin("virtual-falcon");
   for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
   press(key::page_down);
@@ -285,10 +285,10 @@ TEST_F(VisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
     virtual_falcon().move_to({-0.02, i % 2 == 0 ? 0.02 : 0.03}, 0.1);
     frames(10, 100);
   }
-  EXPECT_EQ(session().visit->departures, 0U);
+  EXPECT_EQ(session().kiosk_visit->departures, 0U);
   EXPECT_EQ(lesson().step, 1U);
   wait(91.0);
-  EXPECT_EQ(session().visit->departures, 1U);
+  EXPECT_EQ(session().kiosk_visit->departures, 1U);
 }
 
 }  // namespace

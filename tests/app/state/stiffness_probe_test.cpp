@@ -1,6 +1,6 @@
 // The hand as it is measured on request, without a window: what is waited for, what counts, when it gives up, and what
 // becomes of the number.
-#include "app/state/hand_burst_guide.h"
+#include "app/state/stiffness_probe_guide.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/session.h"
 
-namespace ghostforce::hand_burst_test {
+namespace ghostforce::stiffness_probe_test {
 namespace {
 
 constexpr double look_s = 0.05;  // between two frames
 constexpr HandEstimate hand_of_310{.why = HandUnknown::none, .k_u = 310.0, .sigma = 25.0, .mass = 0.4, .damping = 5.0};
 
-class HandBurstTest : public testing::Test {
+class StiffnessProbeTest : public testing::Test {
  protected:
-  HandBurstTest() { apply(session, ShowFace{Face::stage}); }
+  StiffnessProbeTest() { apply(session, ShowFace{Face::stage}); }
 
-  const HandBurst& burst() const { return session.hand_burst; }
+  const StiffnessProbe& probe() const { return session.stiffness_probe; }
   void press_key() { apply(session, ToggleMode{StageMode::measure}); }
 
   // The servo tells of an estimate at each look, whose window is full after `fills_s` in the wall.
@@ -30,7 +30,7 @@ class HandBurstTest : public testing::Test {
       in_wall_s = is_in_wall ? in_wall_s + look_s : 0.0;
       for (auto& strategy : now.strategies) strategy.in_contact = is_in_wall;
       const HandReading reading{.filled = std::min(1.0, in_wall_s / fills_s), .estimate = estimate, .at_s = now.time_s};
-      follow_hand_burst(session, now, motors, reading);
+      follow_stiffness_probe(session, now, motors, reading);
     }
   }
 
@@ -40,137 +40,137 @@ class HandBurstTest : public testing::Test {
   double in_wall_s = 0.0;
 };
 
-TEST_F(HandBurstTest, IsKnownAfterAWindowOfTwoSeconds) {
+TEST_F(StiffnessProbeTest, IsKnownAfterAWindowOfTwoSeconds) {
   EXPECT_FALSE(wants_tones(session));
   press_key();
   EXPECT_TRUE(wants_tones(session));
   wait(1.0, {.why = HandUnknown::collecting});
-  EXPECT_NEAR(burst().filled, 0.5, 0.03) << "the ring; the first look is where it begins";
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_NEAR(probe().filled, 0.5, 0.03) << "the ring; the first look is where it begins";
+  EXPECT_TRUE(probe().is_running());
   wait(1.2, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
-  EXPECT_EQ(burst().estimate, hand_of_310);
+  EXPECT_TRUE(probe().is_known());
+  EXPECT_EQ(probe().estimate, hand_of_310);
   EXPECT_FALSE(wants_tones(session)) << "the motor is quiet again";
 }
 
 // Where the belief follows the hand, the tones have long been there: what was measured before the press does not count.
-TEST_F(HandBurstTest, AnOlderEstimateDoesNotCount) {
+TEST_F(StiffnessProbeTest, AnOlderEstimateDoesNotCount) {
   now.time_s = 100.0;
   in_wall_s = 100.0;
   press_key();
   wait(1.9, hand_of_310);
-  EXPECT_TRUE(burst().is_running());
-  EXPECT_GT(burst().filled, 0.8);
-  EXPECT_LT(burst().filled, 1.0);
+  EXPECT_TRUE(probe().is_running());
+  EXPECT_GT(probe().filled, 0.8);
+  EXPECT_LT(probe().filled, 1.0);
   wait(0.3, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
-TEST_F(HandBurstTest, WaitsForAHandThatIsNotInTheWall) {
+TEST_F(StiffnessProbeTest, WaitsForAHandThatIsNotInTheWall) {
   press_key();
   wait(60.0, {.why = HandUnknown::no_contact}, false);
-  EXPECT_TRUE(burst().is_running());
-  EXPECT_EQ(burst().why, HandUnknown::no_contact);
-  EXPECT_EQ(burst().filled, 0.0);
+  EXPECT_TRUE(probe().is_running());
+  EXPECT_EQ(probe().why, HandUnknown::no_contact);
+  EXPECT_EQ(probe().filled, 0.0);
   wait(2.2, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
-TEST_F(HandBurstTest, WaitsForMotorsThatAreOff) {
+TEST_F(StiffnessProbeTest, WaitsForMotorsThatAreOff) {
   motors.has_motors = true;
   motors.state = SafetyState::off;
   press_key();
   wait(10.0, {.why = HandUnknown::no_tones});
-  EXPECT_EQ(burst().why, HandUnknown::no_tones);
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_EQ(probe().why, HandUnknown::no_tones);
+  EXPECT_TRUE(probe().is_running());
   motors.state = SafetyState::on;
   wait(2.2, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
-TEST_F(HandBurstTest, PausedTimeDoesNotCount) {
+TEST_F(StiffnessProbeTest, PausedTimeDoesNotCount) {
   press_key();
   wait(1.0, {.why = HandUnknown::collecting});
   for (int i = 0; i < 1000; ++i) {
-    follow_hand_burst(session, now, motors, {.filled = 0.5, .estimate = {}, .at_s = now.time_s});
+    follow_stiffness_probe(session, now, motors, {.filled = 0.5, .estimate = {}, .at_s = now.time_s});
   }
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_TRUE(probe().is_running());
   wait(1.2, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
-TEST_F(HandBurstTest, GivesUpAfterSixSecondsAndSaysWhy) {
+TEST_F(StiffnessProbeTest, GivesUpAfterSixSecondsAndSaysWhy) {
   press_key();
   const HandEstimate shaky{.why = HandUnknown::too_much_tremor, .k_u = 300.0, .sigma = 150.0};
   wait(5.9, shaky);
-  EXPECT_TRUE(burst().is_running());
+  EXPECT_TRUE(probe().is_running());
   wait(0.3, shaky);
-  EXPECT_EQ(burst().stage, HandBurst::Stage::done);
-  EXPECT_EQ(burst().why, HandUnknown::too_much_tremor);
-  EXPECT_FALSE(burst().estimate.has_number()) << "a number that is not to be relied on is not shown";
+  EXPECT_EQ(probe().stage, StiffnessProbe::Stage::done);
+  EXPECT_EQ(probe().why, HandUnknown::too_much_tremor);
+  EXPECT_FALSE(probe().estimate.has_number()) << "a number that is not to be relied on is not shown";
   EXPECT_FALSE(wants_tones(session));
 }
 
-TEST_F(HandBurstTest, WhoLeavesTheWallAgainAndAgainIsToldSo) {
+TEST_F(StiffnessProbeTest, WhoLeavesTheWallAgainAndAgainIsToldSo) {
   press_key();
   for (int i = 0; i < 4; ++i) {
     wait(1.6, {.why = HandUnknown::collecting});
     wait(0.2, {.why = HandUnknown::no_contact}, false);
   }
-  EXPECT_EQ(burst().stage, HandBurst::Stage::done);
-  EXPECT_EQ(burst().why, HandUnknown::no_contact);
+  EXPECT_EQ(probe().stage, StiffnessProbe::Stage::done);
+  EXPECT_EQ(probe().why, HandUnknown::no_contact);
 }
 
-TEST_F(HandBurstTest, EnterHasTheRendererBelieveTheNumberAndThenMeasuresAgain) {
+TEST_F(StiffnessProbeTest, EnterHasTheRendererBelieveTheNumberAndThenMeasuresAgain) {
   session.settings.stiffnesses.chosen_tracking_ratio = 2.0;
   press_key();
   apply(session, GoOn{});
-  EXPECT_TRUE(burst().is_running()) << "there is nothing yet";
+  EXPECT_TRUE(probe().is_running()) << "there is nothing yet";
   wait(2.2, hand_of_310);
   const double rho = 1.0 + session.settings.stiffnesses.k_r / 310.0;
   apply(session, GoOn{});
   EXPECT_EQ(session.settings.stiffnesses.believed_k_u, 310.0);
   EXPECT_EQ(tracking_ratio(session.settings.stiffnesses), rho) << "the ratio that was chosen would have hidden it";
-  EXPECT_TRUE(hand_burst_is_believed(session));
+  EXPECT_TRUE(stiffness_probe_is_believed(session));
   apply(session, GoOn{});
-  EXPECT_TRUE(burst().is_running());
-  ASSERT_TRUE(burst().before) << "what to compare with";
-  EXPECT_EQ(*burst().before, hand_of_310);
+  EXPECT_TRUE(probe().is_running());
+  ASSERT_TRUE(probe().before) << "what to compare with";
+  EXPECT_EQ(*probe().before, hand_of_310);
 }
 
-TEST_F(HandBurstTest, ThereIsNothingToBelieveWhereNothingIsKnown) {
+TEST_F(StiffnessProbeTest, ThereIsNothingToBelieveWhereNothingIsKnown) {
   const Settings before = session.settings;
   press_key();
-  believe_hand_burst(session);
+  believe_stiffness_probe(session);
   wait(7.0, {.why = HandUnknown::at_limit});
-  believe_hand_burst(session);
+  believe_stiffness_probe(session);
   EXPECT_EQ(session.settings, before);
 }
 
-TEST_F(HandBurstTest, EndsWithItsMode) {
+TEST_F(StiffnessProbeTest, EndsWithItsMode) {
   press_key();
   wait(1.0, {.why = HandUnknown::collecting});
   press_key();
-  EXPECT_EQ(burst().stage, HandBurst::Stage::off);
+  EXPECT_EQ(probe().stage, StiffnessProbe::Stage::off);
   EXPECT_FALSE(wants_tones(session));
   press_key();
   apply(session, ShowFace{Face::workbench});
   EXPECT_FALSE(wants_tones(session));
 }
 
-TEST_F(HandBurstTest, GoesOnAfterARestart) {
+TEST_F(StiffnessProbeTest, GoesOnAfterARestart) {
   now.time_s = 50.0;
   press_key();
   wait(1.0, {.why = HandUnknown::collecting});
   now.time_s = 0.0;
   wait(1.9, hand_of_310);
-  EXPECT_TRUE(burst().is_running()) << "the window begins anew";
+  EXPECT_TRUE(probe().is_running()) << "the window begins anew";
   wait(0.3, hand_of_310);
-  EXPECT_TRUE(burst().is_known());
+  EXPECT_TRUE(probe().is_known());
 }
 
 // A lesson waits for its button, compares within a step and the next, and does not take over what it measures.
-TEST_F(HandBurstTest, InALessonItsButtonMeasures) {
+TEST_F(StiffnessProbeTest, InALessonItsButtonMeasures) {
   Lesson lesson;
   lesson.name = "test";
   lesson.steps.resize(2);
@@ -190,18 +190,18 @@ TEST_F(HandBurstTest, InALessonItsButtonMeasures) {
   const auto press = [&] { apply(session, PressMeasuringButton{}); };
   press();
   wait(2.2, hand_of_310);
-  ASSERT_TRUE(burst().is_known());
+  ASSERT_TRUE(probe().is_known());
   press();
-  EXPECT_TRUE(burst().is_running()) << "again, and nothing is believed";
+  EXPECT_TRUE(probe().is_running()) << "again, and nothing is believed";
   EXPECT_EQ(session.settings, before);
   wait(2.2, hand_of_310);
 
   next_lesson_step(session);
-  EXPECT_EQ(burst().stage, HandBurst::Stage::off);
-  EXPECT_EQ(burst().before, hand_of_310);
+  EXPECT_EQ(probe().stage, StiffnessProbe::Stage::off);
+  EXPECT_EQ(probe().before, hand_of_310);
   const auto follow = [&](double seconds) {
     const StageMoment moment = stage_moment_at_rest(session.settings, session.goal);
-    const auto k_u = burst().is_known() ? std::optional(burst().estimate.k_u) : std::nullopt;
+    const auto k_u = probe().is_known() ? std::optional(probe().estimate.k_u) : std::nullopt;
     for (double gone = 0.0; gone < seconds; gone += look_s) {
       follow_lesson(session, {.moment = moment, .settings = session.settings, .hand_k_u = k_u}, look_s);
     }
@@ -215,4 +215,4 @@ TEST_F(HandBurstTest, InALessonItsButtonMeasures) {
 }
 
 }  // namespace
-}  // namespace ghostforce::hand_burst_test
+}  // namespace ghostforce::stiffness_probe_test

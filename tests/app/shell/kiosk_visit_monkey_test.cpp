@@ -10,7 +10,7 @@
 #include "app/state/key_bindings.h"
 #include "app/state/lesson_guide.h"
 #include "tests/app/shell/monkey.h"
-#include "tests/app/shell/visit_window.h"
+#include "tests/app/shell/kiosk_visit_window.h"
 #include "tests/support/places.h"
 
 namespace ghostforce::visit_monkey_test {
@@ -18,9 +18,9 @@ namespace {
 
 constexpr int frames_of_a_minute = 3600;
 
-class VisitMonkey : public VisitWindow {
+class KioskVisitMonkey : public KioskVisitWindow {
  protected:
-  VisitMonkey() {
+  KioskVisitMonkey() {
     write_whole(elsewhere_ / "scene.toml", scene_text(load_scene("fig1")));
     write_whole(elsewhere_ / "lesson.toml", read_whole(source_path("/assets/lessons/ghost.toml")));
   }
@@ -127,7 +127,7 @@ class VisitMonkey : public VisitWindow {
     EXPECT_EQ(session().stage.mode, StageMode::none);
     EXPECT_EQ(session().language, "en");
     EXPECT_EQ(session().input, input_);
-    EXPECT_FALSE(session().visit->has_visitor);
+    EXPECT_FALSE(session().kiosk_visit->has_visitor);
   }
 
   void let_loose(const std::string& input) {
@@ -161,11 +161,11 @@ class VisitMonkey : public VisitWindow {
   int frames_ = 0;
 };
 
-TEST_F(VisitMonkey, FindsNoWayOutWithTheMouse) {
+TEST_F(KioskVisitMonkey, FindsNoWayOutWithTheMouse) {
   let_loose("mouse");
 }
 
-TEST_F(VisitMonkey, FindsNoWayOutWithADevice) {
+TEST_F(KioskVisitMonkey, FindsNoWayOutWithADevice) {
   let_loose("virtual-falcon");
 }
 

@@ -11,10 +11,10 @@
 
 namespace ghostforce {
 
-inline constexpr double visit_ends_after_s = 90.0;  // without a hand
+inline constexpr double kiosk_visit_ends_after_s = 90.0;  // without a hand
 
 // What the session shows comes back at each start. `lessons`: one at least, in their order.
-void begin_visit(Session& session, std::vector<std::shared_ptr<const Lesson>> lessons);
+void begin_kiosk_visit(Session& session, std::vector<std::shared_ptr<const Lesson>> lessons);
 
 // A hand somewhere.
 struct SignsOfLife {
@@ -24,9 +24,9 @@ struct SignsOfLife {
       handle{};  // of a device that a person holds; empty: there is none, or nobody knows where [m]
 };
 
-// Often. Starts again, and has the motors turned off, when there has been no hand for visit_ends_after_s. Does nothing
+// Often. Starts again, and has the motors turned off, when there has been no hand for kiosk_visit_ends_after_s. Does nothing
 // in an ordinary run.
-void follow_visit(Session& session, const SignsOfLife& signs, double interval_s);
+void follow_kiosk_visit(Session& session, const SignsOfLife& signs, double interval_s);
 
 // Nobody has touched anything since the start, and the step that is shown lets the hand be moved without asking
 // anything: the stage can show how, and gives nothing away.

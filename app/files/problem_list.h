@@ -14,7 +14,7 @@ namespace ghostforce {
 
 // `Place` is where a problem stands, and is ordered.
 template <typename Place, typename Words = std::string>
-class FirstProblems {
+class ProblemList {
  public:
   static constexpr std::size_t most_told = 20;
 

@@ -1,6 +1,6 @@
-// HandBurst: the stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until
+// StiffnessProbe: the stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until
 // it is known how stiff the hand is, or it gives up and says why. Only model time in the wall counts. As a value of
-// the session; hand_burst_guide.h leads it. SI units.
+// the session; stiffness_probe_guide.h leads it. SI units.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace ghostforce {
 
-struct HandBurst {
+struct StiffnessProbe {
   enum class Stage : std::uint8_t { off, running, done };
   // In the wall, without an answer.
   static constexpr double gives_up_after_s = 6.0;

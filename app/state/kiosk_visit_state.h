@@ -1,4 +1,4 @@
-// VisitState: the visitor's mode, in which lessons follow one another in a loop for whoever comes along. Part of the
+// KioskVisit: the visitor's mode, in which lessons follow one another in a loop for whoever comes along. Part of the
 // session; visit.h is what changes it.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-struct VisitState {
+struct KioskVisit {
   std::vector<std::shared_ptr<const Lesson>> lessons;  // one at least
   std::string language;                                // with which each visit begins
   std::size_t lesson = 0;                              // of the lessons, the one that is shown

@@ -18,22 +18,22 @@ FalconReport with_fault(FalconFault fault) {
   return report;
 }
 
-void expect_end(const EndOfVisit& end, ExitCode code, const std::string& words) {
+void expect_end(const EndOfRun& end, ExitCode code, const std::string& words) {
   EXPECT_EQ(end.code, code) << end.words;
   EXPECT_NE(end.words.find(words), std::string::npos) << end.words;
 }
 
 // At a device with motors, as the window shows it.
-EndOfVisit end_at(const FalconReport& falcon, const MotorReport& motors = {}) {
-  return end_of_visit(motors, readiness_of(falcon, &motors), {});
+EndOfRun end_at(const FalconReport& falcon, const MotorReport& motors = {}) {
+  return end_of_run(motors, readiness_of(falcon, &motors), {});
 }
 
-EndOfVisit end_at(const SpaceMouseReading& spacemouse) {
-  return end_of_visit({}, {}, end_with(spacemouse.trouble));
+EndOfRun end_at(const SpaceMouseReading& spacemouse) {
+  return end_of_run({}, {}, end_with(spacemouse.trouble));
 }
 
-TEST(EndOfVisit, SaysNothingWhereAllWentWell) {
-  EXPECT_EQ(end_of_visit({}, {}, {}).code, ExitCode::done);
+TEST(EndOfRun, SaysNothingWhereAllWentWell) {
+  EXPECT_EQ(end_of_run({}, {}, {}).code, ExitCode::done);
   SpaceMouseReading spacemouse;
   spacemouse.trouble = SpaceMouseReading::Trouble::none;
   EXPECT_EQ(end_at(spacemouse).code, ExitCode::done);
@@ -41,18 +41,18 @@ TEST(EndOfVisit, SaysNothingWhereAllWentWell) {
   falcon.state = FalconState::idle;
   falcon.has_homed = {true, true, true};
   ASSERT_TRUE(falcon.is_readable());
-  const EndOfVisit end = end_at(falcon);
+  const EndOfRun end = end_at(falcon);
   EXPECT_EQ(end.code, ExitCode::done);
   EXPECT_EQ(end.words, "");
 }
 
-TEST(EndOfVisit, SaysWhatKeepsTheFalcon) {
+TEST(EndOfRun, SaysWhatKeepsTheFalcon) {
   const FalconReport absent;
   expect_end(end_at(absent), ExitCode::device_absent, "No Falcon is plugged in. Plug in the Falcon's power supply");
   for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
     if (fault.id == FalconFault::none) continue;
     const FalconReport report = with_fault(fault.id);
-    const EndOfVisit end = end_at(report);
+    const EndOfRun end = end_at(report);
     EXPECT_GE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_absent)) << fault.name;
     EXPECT_LE(static_cast<int>(end.code), static_cast<int>(ExitCode::device_failed)) << fault.name;
     EXPECT_NE(end.words.find(remedy_of(fault.id)), std::string::npos) << end.words;
@@ -61,7 +61,7 @@ TEST(EndOfVisit, SaysWhatKeepsTheFalcon) {
   expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. Another program is using the device.");
 }
 
-TEST(EndOfVisit, SaysWhatKeepsTheSpaceMouse) {
+TEST(EndOfRun, SaysWhatKeepsTheSpaceMouse) {
   SpaceMouseReading reading;
   expect_end(end_at(reading), ExitCode::device_absent, "No SpaceMouse is plugged in");
   reading.trouble = SpaceMouseReading::Trouble::not_allowed;
@@ -70,12 +70,12 @@ TEST(EndOfVisit, SaysWhatKeepsTheSpaceMouse) {
   expect_end(end_at(reading), ExitCode::device_refused, "cannot be opened");
 }
 
-TEST(EndOfVisit, ASafetyLimitComesFirst) {
+TEST(EndOfRun, ASafetyLimitComesFirst) {
   const FalconReport absent;
   for (const OffReasonEntry& reason : off_reason_catalog()) {
     MotorReport motors;
     motors.reason = reason.id;
-    const EndOfVisit end = end_at(absent, motors);
+    const EndOfRun end = end_at(absent, motors);
     EXPECT_EQ(end.code, reason.is_safety_limit ? ExitCode::safety_stop : ExitCode::device_absent) << reason.name;
     if (reason.is_safety_limit) expect_end(end, ExitCode::safety_stop, std::string(reason.remedy));
   }

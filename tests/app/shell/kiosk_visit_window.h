@@ -9,27 +9,27 @@
 #include <vector>
 
 #include "app/state/lesson_shelf.h"
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce {
 
-class VisitWindow : public DrivenWindow {
+class KioskVisitWindow : public DrivenWindow {
  protected:
-  VisitWindow() {
+  KioskVisitWindow() {
     for (const char* const name : {"HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME"}) {
       setenv(name, folder_.path().c_str(), 1);
     }
     std::filesystem::current_path(folder_.path());
   }
-  ~VisitWindow() override { std::filesystem::current_path(before_); }
+  ~KioskVisitWindow() override { std::filesystem::current_path(before_); }
 
   void begin(const std::string& input = "mouse", std::vector<std::shared_ptr<const Lesson>> lessons = {}) {
     ApplicationOptions options;
     options.face = Face::stage;
-    options.visit = lessons.empty() ? shipped_lessons() : std::move(lessons);
+    options.kiosk_visit = lessons.empty() ? shipped_lessons() : std::move(lessons);
     options.input = input;
     options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
     options.inputs = desktop_inputs({.id = {0xFFFF, 0xFFFF}});  // nobody's: no test drives a real one

@@ -1,4 +1,4 @@
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 
 #include <algorithm>
 #include <string>
@@ -18,12 +18,12 @@ constexpr double least_move = 0.002;  // [m]
 constexpr double settles_s = 2.0;
 
 void show_first_step(Session& session) {
-  begin_lesson(session, session.visit->lessons.front());
+  begin_lesson(session, session.kiosk_visit->lessons.front());
   show_lesson_step(session, 0);
 }
 
 void start_again(Session& session) {
-  VisitState& visit = *session.visit;
+  KioskVisit& visit = *session.kiosk_visit;
   visit = {
       .lessons = std::move(visit.lessons), .language = std::move(visit.language), .departures = visit.departures + 1};
   leave_lesson(session);
@@ -33,7 +33,7 @@ void start_again(Session& session) {
   ++session.restarts_asked;
 }
 
-bool has_hand(VisitState& visit, const SignsOfLife& signs) {
+bool has_hand(KioskVisit& visit, const SignsOfLife& signs) {
   const bool is_settling = visit.since_start_s < settles_s;
   const bool is_elsewhere = signs.handle && (!visit.handle || glm::distance(*signs.handle, *visit.handle) > least_move);
   const bool has_moved = is_elsewhere && visit.handle;
@@ -43,14 +43,14 @@ bool has_hand(VisitState& visit, const SignsOfLife& signs) {
 
 }  // namespace
 
-void begin_visit(Session& session, std::vector<std::shared_ptr<const Lesson>> lessons) {
-  session.visit = VisitState{.lessons = std::move(lessons), .language = session.language};
+void begin_kiosk_visit(Session& session, std::vector<std::shared_ptr<const Lesson>> lessons) {
+  session.kiosk_visit = KioskVisit{.lessons = std::move(lessons), .language = session.language};
   show_first_step(session);
 }
 
-void follow_visit(Session& session, const SignsOfLife& signs, double interval_s) {
-  if (!session.visit) return;
-  VisitState& visit = *session.visit;
+void follow_kiosk_visit(Session& session, const SignsOfLife& signs, double interval_s) {
+  if (!session.kiosk_visit) return;
+  KioskVisit& visit = *session.kiosk_visit;
   visit.since_start_s += interval_s;
   if (has_hand(visit, signs)) {
     visit.has_visitor = true;
@@ -58,11 +58,11 @@ void follow_visit(Session& session, const SignsOfLife& signs, double interval_s)
     return;
   }
   visit.untouched_s += interval_s;
-  if (visit.has_visitor && visit.untouched_s >= visit_ends_after_s) start_again(session);
+  if (visit.has_visitor && visit.untouched_s >= kiosk_visit_ends_after_s) start_again(session);
 }
 
 bool invites_visitors(const Session& session) noexcept {
-  return session.visit && !session.visit->has_visitor && session.lesson &&
+  return session.kiosk_visit && !session.kiosk_visit->has_visitor && session.lesson &&
          lesson_step(*session.lesson).question == LessonQuestion::none && is_allowed(session, LessonControl::hand);
 }
 

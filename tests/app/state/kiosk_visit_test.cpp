@@ -1,5 +1,5 @@
 // The visitor's mode without a window: one lesson after another, and what counts as somebody who is there.
-#include "app/state/visit.h"
+#include "app/state/kiosk_visit.h"
 
 #include <gtest/gtest.h>
 
@@ -17,17 +17,17 @@ void press_key(Session& session, const KeyPress& press) {
   if (const std::optional<Action> action = action_of_key(press, false)) apply(session, *action);
 }
 
-class VisitTest : public testing::Test {
+class KioskVisitTest : public testing::Test {
  protected:
-  VisitTest() {
+  KioskVisitTest() {
     session_.face = Face::stage;
-    begin_visit(session_, shipped_lessons());
+    begin_kiosk_visit(session_, shipped_lessons());
   }
-  const VisitState& visit() const { return *session_.visit; }
-  void touch() { follow_visit(session_, {.has_acted = true}, 0.1); }
+  const KioskVisit& visit() const { return *session_.kiosk_visit; }
+  void touch() { follow_kiosk_visit(session_, {.has_acted = true}, 0.1); }
   void wait(double seconds, const std::optional<Vector<2>>& handle = {}) {
     constexpr int parts = 100;
-    for (int i = 0; i < parts; ++i) follow_visit(session_, {.handle = handle}, seconds / parts);
+    for (int i = 0; i < parts; ++i) follow_kiosk_visit(session_, {.handle = handle}, seconds / parts);
   }
   // To the last step of the lesson, by the key for it.
   void go_to_last_step() {
@@ -40,14 +40,14 @@ class VisitTest : public testing::Test {
   Session session_ = session_of(load_scene("wall45"));
 };
 
-TEST_F(VisitTest, BeginsWithTheFirstStepAsItStands) {
+TEST_F(KioskVisitTest, BeginsWithTheFirstStepAsItStands) {
   EXPECT_EQ(session_.lesson->lesson, shipped_lessons().front());
   EXPECT_EQ(session_.lesson->step, 0U);
   EXPECT_FALSE(session_.lesson->glide);
   EXPECT_EQ(session_.goal, shipped_lessons().front()->steps.front().set_up->goal);
 }
 
-TEST_F(VisitTest, LessonsFollowOneAnotherInALoop) {
+TEST_F(KioskVisitTest, LessonsFollowOneAnotherInALoop) {
   for (int round = 0; round < 2; ++round) {
     for (const auto& lesson : shipped_lessons()) {
       ASSERT_EQ(session_.lesson->lesson, lesson);
@@ -59,8 +59,8 @@ TEST_F(VisitTest, LessonsFollowOneAnotherInALoop) {
   }
 }
 
-TEST_F(VisitTest, OneLessonComesOverAndOver) {
-  begin_visit(session_, {shipped_lessons()[2]});
+TEST_F(KioskVisitTest, OneLessonComesOverAndOver) {
+  begin_kiosk_visit(session_, {shipped_lessons()[2]});
   for (int round = 0; round < 3; ++round) {
     EXPECT_EQ(session_.lesson->lesson, shipped_lessons()[2]);
     go_to_last_step();
@@ -68,13 +68,13 @@ TEST_F(VisitTest, OneLessonComesOverAndOver) {
   }
 }
 
-TEST_F(VisitTest, ARoundThatFollowsARoundGoesOn) {
+TEST_F(KioskVisitTest, ARoundThatFollowsARoundGoesOn) {
   Lesson lesson = *shipped_lessons().front();
   auto round = std::make_shared<ghostforce::SetUp>(*lesson.steps.front().set_up);
   round->mode = StageMode::round;
   lesson.steps = {lesson.steps.front()};
   lesson.steps.front().set_up = round;
-  begin_visit(session_, {std::make_shared<const Lesson>(lesson)});
+  begin_kiosk_visit(session_, {std::make_shared<const Lesson>(lesson)});
   EXPECT_EQ(session_.wanted_input, circling_hand.name);
   session_.wanted_input.reset();
   session_.circle_test.is_on = true;  // as the link to the circle says
@@ -83,7 +83,7 @@ TEST_F(VisitTest, ARoundThatFollowsARoundGoesOn) {
   EXPECT_FALSE(session_.wanted_input) << "the circle stays";
 }
 
-TEST_F(VisitTest, EverythingIsAsAtTheStartAfterNinetySecondsWithoutAHand) {
+TEST_F(KioskVisitTest, EverythingIsAsAtTheStartAfterNinetySecondsWithoutAHand) {
   const Session before = session_;
   touch();
   go_to_last_step();
@@ -114,15 +114,15 @@ TEST_F(VisitTest, EverythingIsAsAtTheStartAfterNinetySecondsWithoutAHand) {
   EXPECT_EQ(session_.lesson->before.goal, before.lesson->before.goal);
 }
 
-TEST_F(VisitTest, OneLongIntervalIsAsLongAsManyShortOnes) {
+TEST_F(KioskVisitTest, OneLongIntervalIsAsLongAsManyShortOnes) {
   touch();
   next_lesson_step(session_);
-  follow_visit(session_, {}, 3600.0);
+  follow_kiosk_visit(session_, {}, 3600.0);
   EXPECT_EQ(visit().departures, 1U);
   EXPECT_EQ(session_.lesson->step, 0U);
 }
 
-TEST_F(VisitTest, ATouchIsEnoughToStay) {
+TEST_F(KioskVisitTest, ATouchIsEnoughToStay) {
   for (int i = 0; i < 20; ++i) {
     touch();
     next_lesson_step(session_);
@@ -131,12 +131,12 @@ TEST_F(VisitTest, ATouchIsEnoughToStay) {
   EXPECT_EQ(visit().departures, 0U);
 }
 
-TEST_F(VisitTest, WhereNobodyWasNothingStartsAgain) {
+TEST_F(KioskVisitTest, WhereNobodyWasNothingStartsAgain) {
   wait(1000.0);
   EXPECT_EQ(visit().departures, 0U);
 }
 
-TEST_F(VisitTest, AHandleThatMovesIsAHandAndOneThatTremblesIsNone) {
+TEST_F(KioskVisitTest, AHandleThatMovesIsAHandAndOneThatTremblesIsNone) {
   const Vector<2> at{0.01, 0.01};
   wait(3.0, at);
   EXPECT_FALSE(visit().has_visitor);
@@ -155,33 +155,33 @@ TEST_F(VisitTest, AHandleThatMovesIsAHandAndOneThatTremblesIsNone) {
   EXPECT_FALSE(visit().has_visitor);
 }
 
-TEST_F(VisitTest, APointerThatIsThereAtOnceIsNoHand) {
-  follow_visit(session_, {.has_pointed = true}, 0.5);
+TEST_F(KioskVisitTest, APointerThatIsThereAtOnceIsNoHand) {
+  follow_kiosk_visit(session_, {.has_pointed = true}, 0.5);
   EXPECT_FALSE(visit().has_visitor);
   wait(2.0);
-  follow_visit(session_, {.has_pointed = true}, 0.5);
+  follow_kiosk_visit(session_, {.has_pointed = true}, 0.5);
   EXPECT_TRUE(visit().has_visitor);
 }
 
-TEST_F(VisitTest, ADeviceThatAppearsIsNoHand) {
+TEST_F(KioskVisitTest, ADeviceThatAppearsIsNoHand) {
   wait(5.0);
   wait(5.0, Vector<2>(0.02, 0.0));
   EXPECT_FALSE(visit().has_visitor);
 }
 
-TEST_F(VisitTest, InvitesUntilSomebodyIsThere) {
+TEST_F(KioskVisitTest, InvitesUntilSomebodyIsThere) {
   EXPECT_TRUE(invites_visitors(session_));
   touch();
   EXPECT_FALSE(invites_visitors(session_));
   wait(91.0);
   EXPECT_TRUE(invites_visitors(session_));
   // A step that asks something must not give the answer away.
-  begin_visit(session_, {shipped_lessons()[2]});
+  begin_kiosk_visit(session_, {shipped_lessons()[2]});
   ASSERT_NE(session_.lesson->lesson->steps.front().question, LessonQuestion::none);
   EXPECT_FALSE(invites_visitors(session_));
 }
 
-TEST_F(VisitTest, TheLanguagesGoRound) {
+TEST_F(KioskVisitTest, TheLanguagesGoRound) {
   EXPECT_EQ(next_language(session_), "es");
   switch_to_next_language(session_);
   EXPECT_EQ(session_.language, "es");
@@ -195,13 +195,13 @@ TEST_F(VisitTest, TheLanguagesGoRound) {
   EXPECT_EQ(next_language(session_), "es");
   Lesson english = *shipped_lessons().front();
   english.words.erase("es");
-  begin_visit(session_, {std::make_shared<const Lesson>(english)});
+  begin_kiosk_visit(session_, {std::make_shared<const Lesson>(english)});
   EXPECT_EQ(next_language(session_), "");
   switch_to_next_language(session_);
   EXPECT_EQ(session_.language, "xx") << "as it was";
 }
 
-TEST_F(VisitTest, EscTurnsMotorsOffAndLeavesNothing) {
+TEST_F(KioskVisitTest, EscTurnsMotorsOffAndLeavesNothing) {
   const std::uint32_t offs = session_.offs_asked;
   press_key(session_, {.key = key::escape});
   EXPECT_TRUE(session_.lesson);
