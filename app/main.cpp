@@ -12,9 +12,8 @@
 #include "app/base/interruption.h"
 #include "app/base/words.h"
 #include "app/cli/command_line.h"
-#include "app/cli/exit_code.h"
+#include "app/cli/command.h"
 #include "app/files/output_file.h"
-#include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"
 
 namespace {

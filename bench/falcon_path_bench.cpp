@@ -15,7 +15,7 @@
 
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
-#include "core/units.h"
+#include "core/conventions.h"
 #include "device/falcon/kinematics.h"
 #include "tests/core/random_setting.h"
 #include "tests/device/falcon/reference_kinematics.h"

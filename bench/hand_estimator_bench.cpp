@@ -15,7 +15,7 @@
 
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
-#include "core/belief_follower.h"
+#include "core/belief.h"
 #include "core/hand_estimator.h"
 #include "core/stiffness.h"
 #include "core/tick.h"

@@ -31,7 +31,6 @@
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "device/input/monotonic_clock.h"
-#include "device/servo/latency_histogram.h"
 #include "device/servo/realtime.h"
 #include "device/servo/servo_thread.h"
 

@@ -41,6 +41,8 @@
 // The theory has no dimension, so everything below is written for D = 2, 3 or 4; the window draws D = 2.
 #pragma once
 
+#include <numbers>
+
 #include <glm/mat2x2.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -56,5 +58,12 @@ using Vector = glm::vec<D, double, glm::defaultp>;
 // Column-major, as glm stores it; every matrix of the model is symmetric.
 template <glm::length_t D>
 using Matrix = glm::mat<D, D, double, glm::defaultp>;
+
+// What millimetres and degrees are in SI units: they exist in files, on the screen and in
+// published angles of devices (core/conventions.h).
+
+inline constexpr double mm_per_m = 1000.0;
+inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
+inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
 }  // namespace ghostforce

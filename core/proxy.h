@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "core/coupling.h"
+#include "core/actuation.h"
 #include "core/wall.h"
 
 namespace ghostforce {

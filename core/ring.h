@@ -13,7 +13,7 @@
 #include <memory>
 #include <type_traits>
 
-#include "core/copy_whole.h"
+#include "core/latest_value.h"
 
 namespace ghostforce {
 

@@ -16,9 +16,8 @@
 
 #include "core/goal_path.h"
 #include "core/settings.h"
-#include "core/stiffness_path.h"
 #include "core/tremor_and_drift.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 

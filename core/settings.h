@@ -39,7 +39,7 @@ struct Settings {
   double mass = 0.0;                            // device and hand [kg]
   double damping = 0.0;                         // device and hand [N·s/m]
   double rate = 0.0;                            // ticks per second of model time, 1/dt [Hz]
-  double encoder_step = 0.0;                    // of a simulated device, see encoder.h [m]; 0: the place itself
+  double encoder_step = 0.0;                    // of a simulated device, see sampled_device.h [m]; 0: the place itself
   Stiffnesses stiffnesses;                      // k_u, k_r, k_t, k_c, ρ
   StrategyId active = StrategyId::anisotropic;  // the one on the device; the others run beside it
 

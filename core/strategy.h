@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "core/coupling.h"
+#include "core/actuation.h"
 #include "core/stiffness.h"
 
 namespace ghostforce {

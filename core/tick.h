@@ -2,11 +2,12 @@
 // lock, reads no clock: settings, state and reading come in as values, a snapshot goes out. Any thread.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "core/actuation.h"
-#include "core/encoder.h"
 #include "core/energy.h"
 #include "core/proxy.h"
 #include "core/sampled_device.h"
@@ -29,7 +30,7 @@ struct TickCoefficients {
   SampledDevice device;
   double rate;  // 1/dt [Hz]
   PerStrategy<StrategyCoefficients> strategies;
-  double encoder_step = 0.0;  // what the renderer sees of a simulated device (encoder.h) [m]; 0: where it is
+  double encoder_step = 0.0;  // what the renderer sees of a simulated device (sampled_device.h) [m]; 0: where it is
 };
 
 // From the next tick on the hand has another stiffness [N/m]. The renderer knows nothing of it.
@@ -155,6 +156,27 @@ void tick_strategy(const TickCoefficients<D>& coefficients, const StrategyCoeffi
   const Vector<D> held_force = rendered_force<D>(own, state.proxy, before);
   move<D>(coefficients, own.proxy_gain, step(coefficients.device, state.motion, goal, held_force + state.tone), before,
           held_force, state);
+}
+
+// Divergence: whether the simulation has run away, so that it cannot continue from its state. Settings can make the
+// sampled loop unstable; its numbers then grow without end. Pure, never allocates or throws, any thread.
+
+// No device is farther away than this [m]; a scene lies within a metre.
+inline constexpr double farthest_device_m = 1000.0;
+
+// Some number in it is not finite, or too large to continue from.
+inline bool has_diverged(const TickState<2>& state) noexcept {
+  // A year and a half at the highest rate; far from where a tick number would overflow.
+  constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
+  const auto is_near = [](const Vector<2>& v) {  // false for NaN
+    return std::abs(v.x) <= farthest_device_m && std::abs(v.y) <= farthest_device_m;
+  };
+  return !(state.tick >= 0 && state.tick <= last_tick_ever && is_near(state.goal) &&
+           std::ranges::all_of(state.strategies, [&](const TickState<2>::StrategyState& strategy) {
+             return is_near(strategy.motion.position) && is_near(strategy.proxy) &&
+                    std::isfinite(strategy.motion.velocity.x) && std::isfinite(strategy.motion.velocity.y) &&
+                    std::isfinite(strategy.energy);
+           }));
 }
 
 }  // namespace ghostforce

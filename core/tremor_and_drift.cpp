@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "core/goal_path.h"
+#include "core/tick.h"
+#include "core/wave_sum.h"
 
 namespace ghostforce {
 
@@ -23,6 +25,24 @@ Vector<2> TremorAndDriftMotion::at(double time_s) const noexcept {
   tremor_.add_to(way, time_s);
   drift_.add_to(way, time_s);
   return minimum_jerk(std::clamp(time_s / begins_within_s, 0.0, 1.0)) * way;
+}
+
+GoalPath simulated_hand(const GoalPath& aim, const Tremor& tremor, double duration_s, double rate) {
+  GoalPath smooth = aim;
+  smooth.motion = Motion::minimum_jerk;
+  RandomShares random(tremor.seed);
+  const TremorWaves waves = tremor_waves({tremor.least_hz, tremor.greatest_hz}, tremor.rms, random);
+
+  GoalPath hand;
+  const std::int64_t last = std::llround(duration_s * rate);
+  for (std::int64_t tick = 0; tick <= last; ++tick) {
+    const double time_s = time_of(tick, rate);
+    Vector<2> at = goal_at(smooth, time_s);
+    waves.add_to(at, time_s);
+    hand.points.push_back(at);
+    hand.times.push_back(time_s);
+  }
+  return hand;
 }
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// A texture's colours, or one colour where the texture says how much of it there is (texture_painter.cpp).
+// A texture's colours, or one colour where the texture says how much of it there is (gl_painter.cpp).
 
 uniform vec4 rectangle;  // as in the vertex shader
 uniform sampler2D cells;

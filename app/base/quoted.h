@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,5 +28,23 @@ std::vector<std::string_view> names_of(const Catalog& catalog) {
 
 // "full, naive, anisotropic"
 std::string listed(std::span<const std::string_view> words);
+
+// Characters of UTF-8: where one ends, and which can be shown. Pure, any thread.
+struct Character {
+  char32_t code = 0;
+  std::size_t length = 0;  // in bytes; 0: the text is empty, or begins with a byte that is no UTF-8
+};
+
+Character first_character(std::string_view text) noexcept;
+
+// Of the C0 and C1 sets, and DEL: they move a terminal's cursor, and end C's strings.
+bool is_control(char32_t code) noexcept;
+
+// One of the 66 numbers that Unicode promises never to give to a character. Cairo refuses them.
+bool is_noncharacter(char32_t code) noexcept;
+
+// What stands in a text of one line, or of several, and can never be shown, as in "the control character U+0000"; the
+// first of them. Line breaks and tabs are fine where there may be several lines. Empty: all can be shown.
+std::optional<std::string> unshowable_in(std::string_view text, bool may_have_lines);
 
 }  // namespace ghostforce

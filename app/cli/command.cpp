@@ -5,21 +5,21 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
+#include <string>
 
+#include <CLI/CLI.hpp>
 #include <fmt/core.h>
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
-#include "app/base/did_you_mean.h"
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "app/state/position_text.h"
+#include "app/state/set_up.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -163,6 +163,18 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
 Vector<2> position_from_mm(std::string_view option, std::string_view text) {
   if (const auto position = read_position_mm(text)) return *position;
   throw Failure(ExitCode::wrong_call, fmt::format("{} {}", option, no_position_words(option, text)));
+}
+
+void refuse_contradictions(const CLI::App& command, std::string_view given,
+                           std::span<const Contradiction> contradictions) {
+  for (const Contradiction& each : contradictions) {
+    const CLI::Option* const option = command.get_option_no_throw(std::string(each.option));
+    if (option == nullptr || option->count() == 0) continue;
+    if (!each.value.empty() && !option->as<std::string>().starts_with(each.value)) continue;
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{} and {}{}{} contradict each other: {}; leave out one of them", given, each.option,
+                              each.value.empty() ? "" : " ", each.value, each.reason));
+  }
 }
 
 }  // namespace ghostforce

@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "app/base/failure.h"
 #include "app/cli/overwrite_guard.h"
 #include "app/files/output_file.h"
+#include "app/files/read_error.h"
 #include "app/files/scene_file.h"
 #include "core/scene.h"
 #include "core/tick.h"
@@ -19,6 +21,9 @@ namespace CLI {
 class Option;
 class Validator;
 }  // namespace CLI
+namespace CLI {
+class App;
+}
 
 namespace ghostforce {
 
@@ -101,5 +106,40 @@ void write_played(OutputFile& file, std::string_view doing, const Scene& scene, 
 
 // An option's value "X,Y" in mm as a position [m]. Throws Failure(wrong_call).
 Vector<2> position_from_mm(std::string_view option, std::string_view text);
+
+// The exit codes of errors that know of none: files that were to be read. Pure, any thread.
+constexpr ExitCode exit_code_of(ReadError::Kind kind) noexcept {
+  return kind == ReadError::Kind::wrong ? ExitCode::wrong_call : ExitCode::file_trouble;
+}
+
+// Options that make no sense beside another one.
+struct Contradiction {
+  std::string_view option;  // its name, "SCENE" or "--set"
+  std::string_view value;   // its beginning; empty: any
+  std::string_view reason;  // goes on after "contradict each other: "
+};
+
+// For the option with that name, which is given. Throws Failure(wrong_call) for the first of these that is given too.
+void refuse_contradictions(const CLI::App& command, std::string_view given,
+                           std::span<const Contradiction> contradictions);
+
+// The standard output, a line at a time. Who reads no further (head, less) still gets the exit code. Any one thread.
+class Lines {
+ public:
+  void write(const std::string& line) {
+    if (!is_read_) return;
+    try {
+      output_.write(line + "\n");
+      output_.commit();
+    } catch (const BrokenPipe&) {
+      is_read_ = false;
+    }
+  }
+  bool is_terminal() const noexcept { return output_.is_terminal(); }
+
+ private:
+  OutputFile output_{"-"};
+  bool is_read_ = true;
+};
 
 }  // namespace ghostforce

@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/cli/overwrite_guard.h"
+#include "app/cli/manual.h"
 
 namespace ghostforce {
 
@@ -44,5 +45,8 @@ struct HelpText {
 // Of the program, without its exit codes.
 HelpText program_help_text();
 HelpText help_text_of(const CLI::App& command);
+
+// The program's manual (manual.h), from what its commands tell CLI11. Allocates; not for the servo thread.
+Manual program_manual();
 
 }  // namespace ghostforce

@@ -2,11 +2,16 @@
 // Any thread; making an input allocates and may throw.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "app/cli/overwrite_guard.h"
 #include "app/shell/input_link.h"
+#include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/ftdi_link.h"
+#include "device/input_catalog.h"
 #include "device/report/motor_report.h"
 
 namespace ghostforce {
@@ -26,5 +31,25 @@ std::vector<InputEntry> simulated_inputs();
 // `readiness`: of the input, empty where it has none; `of_input`: what its link says.
 EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
                         const EndOfRun& of_input);
+
+// FalconSetUp: the options of the command line that are about a Falcon, and what they make of the files that it needs.
+// Shared by the commands that drive one. UI thread.
+struct FalconSetUp {
+  std::string firmware;                // path; empty: where it usually is, see firmware_path()
+  std::string usb_id;                  // VVVV:PPPP; empty: that of every Falcon
+  std::string serial;                  // of the one that is meant; empty: the first, in their order
+  std::vector<std::string> misbehave;  // names of injected_fault_catalog()
+
+  void attach(CLI::App& command, FileOptions& files);
+
+  // Empty: no file is named and none is in the usual place. Throws Failure where there is one and it cannot be taken.
+  std::optional<FirmwareImage> read_firmware_file() const;
+
+  // With the calibrations that are kept. Throws Failure where one of them is wrong.
+  InputOptions input_options(const std::optional<FirmwareImage>& image) const;
+
+  // Which Falcon is meant.
+  FtdiLinkOptions cable() const;
+};
 
 }  // namespace ghostforce

@@ -14,7 +14,7 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "core/prediction.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

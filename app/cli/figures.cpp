@@ -16,10 +16,10 @@
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
-#include "app/files/output_folder.h"
+#include "app/files/output_file.h"
 #include "app/files/run_reader.h"
 #include "app/tools/figures/figure_catalog.h"
-#include "app/tools/figures/recorded_hand.h"
+#include "app/tools/figures/simulated_motion.h"
 
 namespace ghostforce {
 namespace {

@@ -12,9 +12,8 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/program_manual.h"
-#include "app/tools/manual/completion.h"
-#include "app/tools/manual/man_page.h"
+#include "app/cli/completion.h"
+#include "app/cli/man_page.h"
 
 namespace ghostforce {
 namespace {

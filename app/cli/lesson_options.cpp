@@ -1,15 +1,20 @@
 #include "app/cli/lesson_options.h"
 
 #include <algorithm>
+#include <string_view>
+#include <vector>
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
-#include "app/base/did_you_mean.h"
 #include "app/base/failure.h"
 #include "app/base/language.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
+#include "app/cli/command.h"
 #include "app/state/lesson_file.h"
+#include "app/state/stage_mode.h"
+#include "device/report/input_choice.h"
 
 namespace ghostforce {
 
@@ -52,6 +57,47 @@ std::string LessonOptions::wanted(const std::string& kept, const std::shared_ptr
 
 std::shared_ptr<const Lesson> LessonOptions::load() const {
   return name.empty() ? nullptr : std::make_shared<const Lesson>(load_lesson(name));
+}
+
+namespace {
+
+constexpr std::string_view lessons_say = "the lessons say what is on the stage";
+
+std::vector<Contradiction> beside_kiosk() {
+  std::vector<Contradiction> list{
+      Contradiction{"SCENE", "", lessons_say},
+      Contradiction{"--set", "", lessons_say},
+      Contradiction{"--goal-mm", "", lessons_say},
+      Contradiction{"--strategy", "", lessons_say},
+      Contradiction{"--mode", "", lessons_say},
+      Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
+      Contradiction{"--record", "", "nothing of a visit is stored"},
+      Contradiction{"--record-session", "", "nothing of a visit is stored"},
+      Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
+  };
+  for (const InputChoice& hand : hands_moving_by_themselves) {
+    list.push_back({"--input", hand.name, "visitors move the hand themselves"});
+  }
+  return list;
+}
+
+}  // namespace
+
+void KioskOptions::attach(CLI::App& command) {
+  command_ = &command;
+  command.add_flag(
+      "--kiosk", is_on,
+      "For visitors of an open day or a museum: full screen, the lessons in a loop, back to the start after "
+      "90 s without a hand, and no way to files; with --lesson, that one over and over (docs/kiosk.md)");
+}
+
+void KioskOptions::refuse_contradictions() const {
+  if (is_on) ghostforce::refuse_contradictions(*command_, "--kiosk", beside_kiosk());
+}
+
+std::vector<std::shared_ptr<const Lesson>> KioskOptions::lessons(const std::shared_ptr<const Lesson>& asked_for) const {
+  if (!is_on) return {};
+  return asked_for ? std::vector{asked_for} : shipped_lessons();
 }
 
 }  // namespace ghostforce

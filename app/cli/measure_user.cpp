@@ -23,7 +23,7 @@
 #include "app/cli/command.h"
 #include "app/files/run_reader.h"
 #include "app/runs/live_readings.h"
-#include "core/units.h"
+#include "core/conventions.h"
 #include "core/user_measurement.h"
 
 namespace ghostforce {

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include <fmt/format.h>
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
@@ -75,6 +75,21 @@ void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer) {
           words + "; default: egl, or osmesa where it is missing")
       ->type_name("NAME")
       ->check(one_of(names_of(renderer_catalog())));
+}
+
+void SetUpOptions::attach(CLI::App& command, FileOptions& files) {
+  scene.attach(command, files, false);
+  command
+      .add_option("--goal-mm", goal_mm, "Where your hand starts, at rest, in mm; default: the scene's last waypoint")
+      ->type_name("X,Y");
+  picture.attach(command, false);
+}
+
+SetUp SetUpOptions::set_up(Scene loaded, Face usual) const {
+  picture.apply_strategy(loaded);
+  if (goal_mm) loaded.goal.points.back() = position_from_mm("--goal-mm", *goal_mm);
+  const Vector<2> goal = loaded.goal.points.back();
+  return {std::move(loaded), goal, picture.face_or(usual), picture.stage_mode()};
 }
 
 }  // namespace ghostforce

@@ -4,8 +4,10 @@
 #include <optional>
 #include <string>
 
+#include "app/cli/command.h"
 #include "app/shell/desktop/renderer.h"
 #include "app/state/session.h"
+#include "app/state/set_up.h"
 #include "core/scene.h"
 
 namespace CLI {
@@ -33,5 +35,17 @@ struct PictureOptions {
 
 // --renderer, for commands that draw offscreen; `renderer` stays empty where the option is not given.
 void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer);
+
+// The options of `ghostforce run` that say what stands on the screen at first: those that a set-up's line is made of
+// (app/state/set_up.h).
+struct SetUpOptions {
+  SceneOptions scene;
+  PictureOptions picture;
+  std::optional<std::string> goal_mm;  // empty: the scene's last waypoint
+
+  void attach(CLI::App& command, FileOptions& files);
+  // The scene as these options have it; `usual` is the face where none is asked for. Throws Failure(wrong_call).
+  SetUp set_up(Scene loaded, Face usual) const;
+};
 
 }  // namespace ghostforce

@@ -16,7 +16,6 @@
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
-#include "app/cli/contradictions.h"
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
 #include "app/files/clip_file.h"
@@ -24,8 +23,8 @@
 #include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/shell/desktop/offscreen.h"
-#include "app/state/picture_set_up.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up_of.h"
+#include "app/state/set_up.h"
 #include "core/scene.h"
 
 namespace ghostforce {

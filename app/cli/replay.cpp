@@ -20,11 +20,10 @@
 #include "app/cli/command.h"
 #include "app/files/output_file.h"
 #include "app/files/program_build.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
-#include "app/runs/replay_start.h"
 
 namespace ghostforce {
 namespace {

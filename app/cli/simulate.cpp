@@ -10,7 +10,7 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/files/output_file.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "core/goal_path.h"
 
 namespace ghostforce {

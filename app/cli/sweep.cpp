@@ -19,8 +19,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/files/output_file.h"
-#include "app/files/run_file.h"
-#include "app/tools/sweep/rows.h"
+#include "app/files/run.h"
 #include "app/tools/sweep/sweep.h"
 
 namespace ghostforce {

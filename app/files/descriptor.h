@@ -1,6 +1,8 @@
 // An open file, closed in the end; negative: there is none. Any one thread.
 #pragma once
 
+#include <filesystem>
+
 #include <unistd.h>
 
 namespace ghostforce {
@@ -21,5 +23,18 @@ class Descriptor {
  private:
   int number_;
 };
+
+// What was written, made to outlast a power cut. Waits for the disk: not for the servo thread, and for the UI thread
+// only where a person waits for a file anyway, or while motors are off.
+
+// Both return the errno of what went wrong; 0: nothing did, or what is written to cannot be synchronised (a pipe, some
+// file systems) and so promises nothing.
+
+// What the file holds, and how much of it there is. fsync(2) with its times and permissions; fdatasync(2) without.
+int sync_file(int descriptor) noexcept;
+int sync_data(int descriptor) noexcept;
+
+// The names in a folder. A folder that may not be read cannot be synchronised either.
+int sync_folder(const std::filesystem::path& folder) noexcept;
 
 }  // namespace ghostforce

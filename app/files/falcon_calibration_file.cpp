@@ -14,7 +14,7 @@
 #include "app/files/output_file.h"
 #include "app/files/toml_document.h"
 #include "app/files/xdg_folders.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

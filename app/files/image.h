@@ -15,4 +15,25 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
+// What all pictures of a clip have in common, and what takes them, one after another. Not for the servo thread.
+struct ClipShape {
+  int width = 0;  // [px]
+  int height = 0;
+  int frames_per_second = 30;
+};
+
+// One format of clips. Every function may throw what OutputFile throws.
+class ClipEncoder {
+ public:
+  ClipEncoder() = default;
+  virtual ~ClipEncoder() = default;
+  ClipEncoder(const ClipEncoder&) = delete;
+  ClipEncoder& operator=(const ClipEncoder&) = delete;
+
+  // The next picture, of the clip's size and without transparency.
+  virtual void add(const Image& image) = 0;
+  // After the last one.
+  virtual void finish() = 0;
+};
+
 }  // namespace ghostforce

@@ -8,7 +8,7 @@
 #include <cerrno>
 #include <utility>
 
-#include "app/base/did_you_mean.h"
+#include "app/base/typed_text.h"
 #include "app/base/interruption.h"
 
 namespace ghostforce {

@@ -35,7 +35,7 @@ int read_pieces(const std::filesystem::path& path, const std::function<bool(std:
 // What is in a folder, sorted. Where it cannot be read to its end `error` says why.
 std::vector<std::filesystem::path> paths_in(const std::filesystem::path& folder, std::error_code& error);
 
-// The name nearest to `word` (did_you_mean.h) of those that `name_of` makes of what is in a folder; an empty one is
+// The name nearest to `word` (typed_text.h) of those that `name_of` makes of what is in a folder; an empty one is
 // none.
 std::optional<std::string> nearest_name_in(const std::filesystem::path& folder, std::string_view word,
                                            const std::function<std::string(const std::filesystem::path&)>& name_of);

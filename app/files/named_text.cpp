@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "app/base/did_you_mean.h"
+#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
 #include "app/files/input_file.h"
 

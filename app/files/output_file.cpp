@@ -1,9 +1,6 @@
 #include "app/files/output_file.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdio>
@@ -11,13 +8,17 @@
 #include <system_error>
 #include <utility>
 
+#include <fcntl.h>
 #include <fmt/core.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/files/disk_sync.h"
+#include "app/files/descriptor.h"
 #include "app/files/part_file.h"
 
 namespace ghostforce {
@@ -247,6 +248,89 @@ void OutputFile::fail(int error) const {
   if (error == EPIPE) throw BrokenPipe();
   throw Failure(ExitCode::file_trouble,
                 fmt::format("{} cannot be written: {}", quoted_text(shown_, longest_path), reason_of(error)));
+}
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& what) {
+  throw Failure(ExitCode::file_trouble, fmt::format("{}: {}", quoted_text(path.string(), longest_path), what));
+}
+
+void remove_empty(const std::vector<fs::path>& folders) noexcept {
+  std::error_code ignored;
+  for (const fs::path& folder : folders) fs::remove(folder, ignored);
+}
+
+}  // namespace
+
+OutputFolder::OutputFolder(const std::string& path) : path_(path) {
+  if (path.empty()) refuse("''", "is not a folder; name one");
+  std::error_code error;
+  // A slash at the end names the same folder.
+  fs::path innermost = path_.has_filename() ? path_ : path_.parent_path();
+  std::vector<fs::path> missing;
+  for (fs::path at = innermost; !at.empty() && !fs::exists(fs::symlink_status(at, error)); at = at.parent_path()) {
+    missing.push_back(at);
+  }
+  std::ranges::reverse(missing);
+  try {
+    for (const fs::path& folder : missing) {
+      if (fs::create_directory(folder, error)) {
+        made_.insert(made_.begin(), folder);
+      } else if (error) {
+        refuse(folder, fmt::format("the folder cannot be created: {}", reason_of(error.value())));
+      }
+    }
+    if (!fs::is_directory(path_, error)) refuse(path_, "is not a folder; name another, or move what is there");
+    if (access(path_.c_str(), W_OK | X_OK) != 0) {
+      refuse(path_, fmt::format("nothing can be written there: {}", reason_of(errno)));
+    }
+  } catch (...) {
+    remove_empty(made_);
+    throw;
+  }
+}
+
+OutputFolder::~OutputFolder() {
+  files_.clear();
+  if (!is_committed_) remove_empty(made_);
+}
+
+void OutputFolder::write(const std::string& name, std::string_view content) {
+  files_.emplace_back((path_ / name).string()).write(content);
+}
+
+void OutputFolder::commit() {
+  std::set<fs::path> parents;  // of new folders
+  for (const fs::path& folder : made_) parents.insert(folder.parent_path());
+  OutputFile::commit_all(files_, std::move(parents));
+  is_committed_ = true;
+}
+
+int open_growing_file(const std::string& path) noexcept {
+  return open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+}
+
+Failure no_growing_file(const std::string& path, std::string_view kind, int error) {
+  const std::string shown = quoted_text(path, longest_path);
+  return Failure(ExitCode::file_trouble,
+                 error == EEXIST ? fmt::format("{} already exists, and {} never overwrites a file; choose another name",
+                                               shown, kind)
+                                 : fmt::format("{} cannot be written: {}", shown, reason_of(error)));
+}
+
+int append_whole(int descriptor, std::string_view text) noexcept {
+  while (!text.empty()) {
+    const ssize_t count = write(descriptor, text.data(), text.size());
+    if (count >= 0) {
+      text.remove_prefix(static_cast<std::size_t>(count));
+    } else if (errno != EINTR) {
+      return errno;
+    }
+  }
+  return 0;
 }
 
 }  // namespace ghostforce

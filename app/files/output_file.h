@@ -6,14 +6,17 @@
 // Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or BrokenPipe.
 #pragma once
 
-#include <sys/types.h>
-
 #include <cstddef>
 #include <deque>
 #include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include <sys/types.h>
+
+#include "app/base/failure.h"
 
 namespace ghostforce {
 
@@ -76,5 +79,42 @@ class OutputFile {
 
 // Words for people about a file that cannot be read or written: errno as a reason, and what to do about it.
 std::string reason_of(int error);
+
+// A folder of files that are written all or not at all: until commit() there are temporary files in it, and without
+// commit(), or where that fails half-way, everything is as it was (output_file.h says where that cannot be); not even
+// the folder is left behind if it was not there before. Not for the servo thread.
+//
+// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted.
+class OutputFolder {
+ public:
+  // Makes the folder, and those above it. Fails at once where it can never hold a file, not after long work.
+  explicit OutputFolder(const std::string& path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  // `name` is that of a file in the folder.
+  void write(const std::string& name, std::string_view content);
+
+  void commit();
+
+ private:
+  std::filesystem::path path_;
+  std::vector<std::filesystem::path> made_;  // folders, the innermost first
+  std::deque<OutputFile> files_;
+  bool is_committed_ = false;
+};
+
+// A file that grows while the program runs, and whose beginning is of use whenever it ends: it is new, and what is in it
+// stays. Any one thread.
+
+// Its descriptor; negative: there is none, and errno says why.
+int open_growing_file(const std::string& path) noexcept;
+
+// Why it cannot be had. `kind`: what it would be, as "a recording"; `error`: as errno has it.
+Failure no_growing_file(const std::string& path, std::string_view kind, int error);
+
+// 0, or why not all of it is in the file.
+int append_whole(int descriptor, std::string_view text) noexcept;
 
 }  // namespace ghostforce

@@ -1,6 +1,13 @@
 #include "app/files/run.h"
 
+#include <iterator>
+
+#include <fmt/compile.h>
 #include <fmt/format.h>
+
+#include "app/files/program_build.h"
+#include "app/files/scene_file.h"
+#include "app/files/scene_keys.h"
 
 namespace ghostforce {
 
@@ -27,6 +34,63 @@ ReadError too_long(const RunFacts& run, const RunTick& tick) {
             .remedy = fmt::format("if that time is wrong, correct the line; if the run really is that long, cut it "
                                   "before this line:\nhead -n {} RUN.csv > shorter.csv",
                                   tick.line - 1)}}};
+}
+
+std::string provenance(const Scene& scene) {
+  std::string header =
+      fmt::format("# ghostforce {}\n{}{}\n{}\n", program_build(), format_begins, run_format, scene_begins);
+  const std::string text = scene_text(scene);
+  for (std::string_view rest = text; !rest.empty();) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    header += line.empty() ? "#\n" : fmt::format("# {}\n", line);
+    rest.remove_prefix(line.size() + 1);
+  }
+  header += fmt::format("{}\n", scene_ends);
+  return header;
+}
+
+std::string run_header(const Scene& scene, std::string_view further_columns) {
+  return fmt::format(
+      "{}"
+      "# One row per tick and strategy. Units: s, m, N. The force is that of the device on the hand.\n"
+      "{}{}\n",
+      provenance(scene), run_columns, further_columns);
+}
+
+void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state) {
+  const auto out = std::back_inserter(rows);
+  fmt::format_to(out, FMT_COMPILE("{}{}{}"), state_begins, time_begins, time_s);
+  for (const Strategy& each : strategy_catalog()) {
+    const Vector<2>& velocity = state.velocity[index_of(each.id)];
+    fmt::format_to(out, FMT_COMPILE(" {}={},{},{}"), each.name, velocity.x, velocity.y,
+                   state.energy[index_of(each.id)]);
+  }
+  rows.push_back('\n');
+}
+
+void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, const Settings& wanted) {
+  Scene before;
+  Scene after;
+  before.settings = known;
+  after.settings = wanted;
+  // No file can say again that nothing is believed. To believe the user's own stiffness is the same.
+  Stiffnesses& stiffnesses = after.settings.stiffnesses;
+  if (!stiffnesses.believed_k_u && known.stiffnesses.believed_k_u) stiffnesses.believed_k_u = stiffnesses.k_u;
+  for (const SceneKey& key : scene_keys()) {
+    if (!is_setting(key)) continue;
+    const std::string value = value_text(after, key);
+    if (value == value_text(before, key)) continue;
+    fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}{}{} {}={}\n"), set_begins, time_begins, time_s,
+                   dotted_name(key), value);
+  }
+  known = after.settings;
+}
+
+void append_run_row(fmt::memory_buffer& rows, const Snapshot& snapshot, StrategyId id) {
+  const StrategySnapshot<2>& state = snapshot.strategies[index_of(id)];
+  fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{},{},{},{},{},{},{},{},{},{}"), strategy(id).name,
+                 snapshot.time_s, snapshot.goal.x, snapshot.goal.y, state.device.x, state.device.y, state.proxy.x,
+                 state.proxy.y, state.force.x, state.force.y);
 }
 
 }  // namespace ghostforce

@@ -17,7 +17,7 @@
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/program_build.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
 

@@ -1,4 +1,4 @@
-// A run read back: what `simulate`, `replay` and recordings write (run_file.h), once from its beginning to its end.
+// A run read back: what `simulate`, `replay` and recordings write (run.h), once from its beginning to its end.
 // What a crash leaves is taken: a last line that is cut, lost samples that are told, a header without rows. Whatever
 // else is damaged is an error with the line's number. Not for the servo thread.
 #pragma once

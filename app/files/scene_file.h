@@ -7,10 +7,23 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/scene_reader.h"
+#include "app/files/read_error.h"
 #include "core/scene.h"
 
 namespace ghostforce {
+
+// From TOML to a scene. Strict: whatever is not said, not known or out of range
+// is told with file, line and column, all of it at once. Not for the servo
+// thread.
+
+// `overrides` are the arguments of --set, KEY=VALUE each: KEY as in the file
+// with its table (rendering.k_r_N_per_m), VALUE as in TOML or, for a text, as it
+// is; the last of equals holds, and all of them hold before the file.
+// `shown_path` is what messages call the file. Throws ReadError(wrong), one line
+// per problem:
+//     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
+//     --set KEY=VALUE: the key KEY: what is wrong; what to do
+Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides = {});
 
 // "wall45", "fig1" …, sorted by name; their texts are in embedded_scenes.h.
 std::vector<std::string_view> shipped_scene_names();
@@ -24,7 +37,7 @@ bool may_be_scene(const std::string& name_or_path);
 
 // A shipped scene or a file. A word without '/' that names a shipped scene is
 // that one. Throws ReadError: wrong where there is none, or where its text is
-// wrong (scene_reader.h); unreadable.
+// wrong (scene_file.h); unreadable.
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides = {});
 
 // The scene as a file. Reads back bit for bit, each number in the shortest

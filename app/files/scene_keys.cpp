@@ -9,7 +9,7 @@
 
 #include <fmt/core.h>
 
-#include "app/base/did_you_mean.h"
+#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
 
 namespace ghostforce {

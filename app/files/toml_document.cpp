@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "app/base/did_you_mean.h"
-#include "app/base/unicode.h"
-#include "app/files/problem_list.h"
+#include "app/base/typed_text.h"
+#include "app/base/quoted.h"
+#include "app/files/read_error.h"
 #include "app/files/toml_parse.h"
 
 namespace ghostforce {

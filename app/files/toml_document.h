@@ -1,6 +1,6 @@
 // A TOML file that a person wrote, read strictly by a list of its keys: scenes, cases, calibrations, preferences.
 // Whatever is unknown, missing, of the wrong type or out of range is told with line and column, all of it at once and
-// in the order in which a person reads; words are made for the first problems alone (problem_list.h). One thread.
+// in the order in which a person reads; words are made for the first problems alone (read_error.h). One thread.
 #pragma once
 
 #include <array>

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/clip_shape.h"
+#include "app/files/image.h"
 #include "app/files/descriptor.h"
 #include "app/files/output_file.h"
 

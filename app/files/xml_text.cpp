@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "app/base/unicode.h"
+#include "app/base/quoted.h"
 
 namespace ghostforce {
 namespace {

@@ -20,4 +20,21 @@ struct AreaCoverage {
 // times. Of a picture of `width` × `height`.
 AreaCoverage area_coverage(std::span<const Vector<2>> corners, int width, int height);
 
+// Where in a picture a half plane is all there, where its edge runs, and where there is nothing of it: in software, to shade
+// each pixel of a wall costs more than all that stands before it. Pure, any thread.
+
+// Pixels from the picture's upper left corner, y down.
+struct PixelTile {
+  int left = 0, top = 0, width = 0, height = 0;
+};
+
+struct HalfPlaneTiles {
+  std::vector<PixelTile> whole;
+  std::vector<PixelTile> edge;
+};
+
+// `point` of the edge in pixels; the half plane is where its normal points away from [1]. Tiles do not overlap; what is in
+// none is outside, a pixel at least from the edge.
+HalfPlaneTiles half_plane_tiles(const Vector<2>& point, const Vector<2>& normal, int width, int height);
+
 }  // namespace ghostforce

@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "app/base/failure.h"
 #include "app/files/image.h"
+#include "app/picture/marks.h"
 #include "app/picture/panes.h"
 #include "app/picture/theme.h"
 
@@ -37,5 +40,12 @@ struct FilePainter {
     return {ExitCode::wrong_call, "This program cannot paint such a picture: save the screen as .png, plots as .csv."};
   }
 };
+
+// Writes marks as JSON: the same picture for a script, with positions in millimetres. Any thread.
+
+// An array with one object per mark: role, strategy (where it belongs to one), form, and the form's positions, sizes
+// and colours, of a raster without its cells. An arrow says where it has no head or is hatched, a label where its letters
+// are bold or none of the three heights of the workbench.
+nlohmann::ordered_json marks_as_json(const Marks& marks);
 
 }  // namespace ghostforce

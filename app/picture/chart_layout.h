@@ -1,5 +1,5 @@
 // Where everything of a chart stands in its pane: titles, axes with their ticks, what of its series is to be seen, a
-// legend that covers no curve, words beside their references. In points of the pane, y down; chart_pane.cpp draws it.
+// legend that covers no curve, words beside their references. In points of the pane, y down; chart.cpp draws it.
 // Pure, any thread.
 #pragma once
 

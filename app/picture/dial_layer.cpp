@@ -8,8 +8,8 @@
 
 #include "app/picture/handles.h"
 #include "app/picture/layers.h"
-#include "app/picture/screen_pen.h"
-#include "app/picture/text_lines.h"
+#include "app/picture/screen_box.h"
+#include "app/picture/text.h"
 
 namespace ghostforce {
 namespace {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/picture/layers.h"
-#include "app/picture/number_text.h"
-#include "app/picture/quantities.h"
-#include "core/units.h"
+#include "app/picture/text.h"
+#include "app/picture/glossary.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

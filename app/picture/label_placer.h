@@ -14,6 +14,7 @@
 #include "app/picture/label_search.h"
 #include "app/picture/screen_box.h"
 #include "app/picture/view.h"
+#include "core/strategy.h"
 
 namespace ghostforce {
 
@@ -100,5 +101,44 @@ class LabelPlacer {
   std::array<bool, most_labels> is_asked_for_{};
   std::uint64_t picture_ = 0;
 };
+
+// PictureMemory: where words, legend and scale bars of the workbench's picture before stood, so that they stand still
+// while something is dragged. As it is made: there was none. A value, one thread.
+
+// What stands in one of a few places.
+struct CornerMemory {
+  std::optional<std::size_t> place{};
+  double strength = 0.0;      // 0: not to be seen, 1: all there
+  double waited_s = 0.0;      // for a place, or for a better one
+  std::uint64_t picture = 0;  // its number: the same where nothing moves
+  bool is_best = true;        // of that picture, as far as anybody has looked
+
+  bool is_moving() const noexcept { return !is_best || waited_s > 0.0 || (place && strength < 1.0); }
+};
+
+struct PaneMemory {
+  LabelMemory labels{};
+  CornerMemory legend{};
+  CornerMemory scales{};
+
+  bool is_moving() const noexcept { return labels.is_moving() || legend.is_moving() || scales.is_moving(); }
+};
+
+using PictureMemory = std::array<PaneMemory, strategy_count>;  // as many panes as there can be
+
+// What stands beside the scene, legend and scale bars, takes the first of a few places that covers no mark. It stays there
+// as long as it covers none, however good another place becomes while things move. Pure; one thread.
+struct CornerPlace {
+  std::size_t place;  // which of them
+  double strength;    // 1: all there
+};
+
+// `places`: best first; they come in forms, the next of which is only used where there is no room for the one before, and
+// each has as many places. Empty: there is room in none. Where it stands is kept clear of labels.
+std::optional<CornerPlace> place_in_corner(const std::vector<ScreenBox>& places, std::size_t places_of_form,
+                                           LabelPlacer& labels, CornerMemory& memory);
+
+enum class Corner : std::uint8_t { upper_left, upper_right, lower_left, lower_right };
+ScreenBox box_in_corner(Corner corner, const Vector<2>& extent, const Vector<2>& size, double margin);
 
 }  // namespace ghostforce

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include "app/picture/text_lines.h"
+#include "app/picture/text.h"
 
 namespace ghostforce {
 namespace {

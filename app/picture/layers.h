@@ -5,7 +5,6 @@
 
 #include "app/picture/label_placer.h"
 #include "app/picture/marks.h"
-#include "app/picture/picture_memory.h"
 #include "app/picture/view.h"
 
 namespace ghostforce {

@@ -7,9 +7,9 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/corner_places.h"
+#include "app/picture/label_placer.h"
 #include "app/picture/layers.h"
-#include "app/picture/screen_pen.h"
+#include "app/picture/screen_box.h"
 
 namespace ghostforce {
 namespace {

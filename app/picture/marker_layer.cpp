@@ -124,4 +124,64 @@ void add_goal_in_device(const View& view, Marks& marks) {
                           view.theme.goal_rim, view.points(1.6)}});
 }
 
+// The loop that the active device went round on the last turn of the circle test, filled: what it encloses is what the
+// energy of the turn is about.
+
+void add_loop(const View& view, Marks& marks) {
+  if (!view.turn_s) return;
+  const StrategyId id = view.settings.active;
+  std::vector<Vector<2>> loop = last_loop(view.history.moments(), id, *view.turn_s);
+  if (loop.size() < 3) return;
+  const Colour colour = view.theme.strategy[index_of(id)];
+  for (std::size_t i = 1; i < loop.size(); ++i) {
+    marks.push_back({Role::area, id, Line{loop[i - 1], loop[i], view.points(1.6), colour}});
+  }
+  marks.push_back({Role::area, id, Area{std::move(loop), colour.with_alpha(60)}});
+}
+
+// What the hand at a device is told to aim at: a target on the wall, and the line straight into the wall at it.
+
+namespace {
+
+constexpr double target_radius = 12.0;  // [points]
+constexpr double line_length = 60.0;    // into the wall [points]
+
+}  // namespace
+
+void add_target(const View& view, Marks& marks) {
+  if (!view.target) return;
+  const Vector<2> inwards = -wall_of(view.settings).normal;
+  const Vector<2> target = *view.target;
+  const LinePattern dashes{view.points(7.0), view.points(4.0), view.points(7.0), view.points(4.0)};
+  marks.push_back(
+      {Role::target, std::nullopt,
+       Line{target, target + inwards * view.metres(line_length), view.points(1.8), view.theme.text, dashes}});
+  for (const double radius : {target_radius, 0.45 * target_radius}) {
+    marks.push_back({Role::target, std::nullopt,
+                     Marker{target, Shape::disc, view.points(radius), view.theme.background.with_alpha(0),
+                            view.theme.text, view.points(2.4)}});
+  }
+}
+
+// Thin rings where the closed form puts proxy and device at rest: the simulation has to come to them by itself.
+
+namespace {
+
+constexpr double device_ring = 15.5;  // around the device's marker [points]
+constexpr double proxy_ring = 13.0;
+
+}  // namespace
+
+void add_predictions(const View& view, Marks& marks) {
+  const StrategyId id = view.settings.active;
+  const Equilibrium<2> rest = equilibrium_of(id, view.settings, view.snapshot.goal);
+  const Colour colour = view.theme.strategy[index_of(id)];
+  const auto ring = [&](const Vector<2>& center, double radius) {
+    marks.push_back({Role::prediction, id,
+                     Marker{center, Shape::disc, view.points(radius), colour.with_alpha(0), colour, view.points(1.0)}});
+  };
+  ring(rest.device, device_ring);
+  if (rest.in_contact) ring(rest.proxy, proxy_ring);
+}
+
 }  // namespace ghostforce

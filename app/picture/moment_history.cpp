@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <ranges>
 
-#include "app/picture/visible_change.h"
+#include <glm/geometric.hpp>
 
 namespace ghostforce {
 namespace {
@@ -113,6 +113,20 @@ std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, do
     if (moment) loop.push_back(moment->snapshot.strategies[index_of(id)].device);
   }
   return loop;
+}
+
+bool differs_visibly(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept {
+  if (now.measured != seen.measured || glm::distance(now.goal, seen.goal) > least.step) return true;
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    const StrategySnapshot<2>& a = seen.strategies[i];
+    const StrategySnapshot<2>& b = now.strategies[i];
+    if (a.in_contact != b.in_contact || glm::distance(a.device, b.device) > least.step ||
+        glm::distance(a.proxy, b.proxy) > least.step || glm::distance(a.force, b.force) > least.force ||
+        glm::distance(a.ghost_force, b.ghost_force) > least.force) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace ghostforce

@@ -12,9 +12,18 @@
 #include <vector>
 
 #include "app/picture/plot_history.h"
-#include "app/picture/shown_moment.h"
+#include "core/settings.h"
+#include "core/snapshot.h"
 
 namespace ghostforce {
+
+// ShownMoment: a tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is
+// the active one is the person's choice, whenever the moment was. Refers to a snapshot that others hold.
+struct ShownMoment {
+  Settings settings;
+  const Snapshot& snapshot;
+  bool is_past = false;  // somebody looks back: nothing newer than this is to be seen
+};
 
 class MomentHistory {
  public:
@@ -91,5 +100,16 @@ class MomentHistory {
 
 // Where a device was in the newest `turn_s` of them, thinned out; fewer points where there is no such time.
 std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s);
+
+// Whether two ticks look the same in a picture. Pure.
+
+// What is less than this nobody sees.
+struct LeastVisible {
+  double step = 0.0;   // of a place [m]
+  double force = 0.0;  // [N]
+};
+
+// Against what was seen, not against the tick before: what creeps is noticed in the end.
+bool differs_visibly(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept;
 
 }  // namespace ghostforce

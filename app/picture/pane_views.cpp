@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 
 #include "app/picture/camera.h"
-#include "app/picture/fit.h"
 #include "core/equilibrium.h"
 
 namespace ghostforce {

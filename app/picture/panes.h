@@ -4,11 +4,21 @@
 
 #include <vector>
 
-#include "app/picture/compose.h"
+#include "app/picture/label_placer.h"
+#include "app/picture/marks.h"
 #include "app/picture/pane_views.h"
+#include "app/picture/view.h"
 #include "core/scene.h"
 
 namespace ghostforce {
+
+// compose: (settings, snapshot, history, camera, theme) → marks, and nothing else. Reads no clock, no device, no
+// global: the same input gives the same picture, in the window, in a PNG and in a test. One file per layer.
+
+// `memory`: where words stood in the picture before, `interval_s` ago; as it is made: there was none. `earlier`: marks of
+// an earlier picture, to be thrown away; the new ones take their room, which a screen that is drawn sixty times a second
+// need not ask the system for each time.
+Marks compose(const View& view, PaneMemory& memory, double interval_s = 0.0, Marks earlier = {});
 
 struct Pane {
   Vector<2> corner{0.0};  // upper left, in the whole rectangle [points]

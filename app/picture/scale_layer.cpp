@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/corner_places.h"
+#include "app/picture/label_placer.h"
 #include "app/picture/layers.h"
-#include "app/picture/screen_pen.h"
-#include "core/units.h"
+#include "app/picture/screen_box.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

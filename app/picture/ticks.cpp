@@ -8,7 +8,7 @@
 #include <iterator>
 #include <limits>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 
 namespace ghostforce {
 namespace {

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <deque>
 
-#include "app/picture/hand_history.h"
 #include "app/picture/moment_history.h"
 #include "app/picture/plot_history.h"
 #include "core/snapshot.h"

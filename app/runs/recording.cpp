@@ -16,10 +16,9 @@
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
-#include "app/files/disk_sync.h"
-#include "app/files/growing_file.h"
+#include "app/files/descriptor.h"
 #include "app/files/output_file.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-// Recording: a run written to a file while it is made (the format: run_file.h, docs/recording.md). A worker beside the
+// Recording: a run written to a file while it is made (the format: run.h, docs/recording.md). A worker beside the
 // window takes what the servo hands out and writes it many times a second, so that neither a stalled window nor the end
 // of the process loses more than the last moment, and the servo never waits for a disk. Twice a second it waits for the
 // disk itself, so that a power cut loses no more than that either.

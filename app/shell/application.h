@@ -14,9 +14,9 @@
 #include "app/picture/trail_history.h"
 #include "app/runs/recording.h"
 #include "app/shell/clip_saving.h"
+#include "app/shell/frame_pacer.h"
 #include "app/shell/hand_following.h"
 #include "app/shell/input_link.h"
-#include "app/shell/late_ticks.h"
 #include "app/shell/looking_back.h"
 #include "app/shell/screen.h"
 #include "app/shell/shader_watch.h"
@@ -108,7 +108,7 @@ class Application {
   // update() and draw().
   void frame(double interval_s);
 
-  // What the line of a set-up describes (set_up_line.h), as if it had been pasted. Throws ReadError.
+  // What the line of a set-up describes (set_up.h), as if it had been pasted. Throws ReadError.
   void show_set_up(const std::string& line);
 
   // After the window has lost its OpenGL context and has another one.

@@ -3,10 +3,9 @@
 
 #include "app/files/png_writer.h"
 #include "app/shell/application.h"
-#include "app/state/picture_set_up.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/stage_buttons.h"
+#include "app/state/stage_action.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"
 #include "app/widgets/save_path.h"

@@ -11,7 +11,7 @@
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/files/file_exchange.h"
-#include "app/shell/part.h"
+#include "app/shell/window.h"
 
 namespace ghostforce {
 namespace {

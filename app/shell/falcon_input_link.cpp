@@ -6,9 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "app/shell/pointer_link.h"
-#include "app/shell/portable_inputs.h"
-#include "core/units.h"
+#include "app/shell/input_link.h"
+#include "core/conventions.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 
 namespace ghostforce {

@@ -9,7 +9,7 @@
 
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 
 namespace ghostforce {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <imgui.h>
 
-#include "app/picture/fit.h"
+#include "app/picture/camera.h"
 #include "app/picture/handles.h"
 #include "app/picture/screen_box.h"
 #include "app/state/scene_view_limits.h"

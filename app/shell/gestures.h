@@ -7,7 +7,7 @@
 
 #include "app/paint/label_painter.h"
 #include "app/picture/panes.h"
-#include "app/picture/shown_moment.h"
+#include "app/picture/moment_history.h"
 #include "app/state/action.h"
 #include "app/widgets/pointing.h"
 

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/picture/hand_history.h"
+#include "app/picture/plot_history.h"
 #include "app/state/session.h"
 #include "device/servo/servo.h"
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "device/input/mouse_input.h"
+#include "device/input/scripted_input.h"
 #include "device/input/unsteady_input.h"
 
 namespace ghostforce {
@@ -27,6 +29,29 @@ std::vector<InputChoice> choices_of(std::span<const InputEntry> inputs, bool has
     if (has_recording || !entry.needs_recording) choices.push_back(entry);
   }
   return choices;
+}
+
+void PointerLink::begin(Session& session) {
+  session.pointer_moves_goal = true;
+  sent_goal_ = session.goal;
+  restarts_ = session.restarts_asked;
+}
+
+void PointerLink::send(Session& session, double interval_s) {
+  target_.set_user_stiffness(session.settings.stiffnesses.k_u);
+  // A restart takes the goal along.
+  if (std::exchange(restarts_, session.restarts_asked) != session.restarts_asked) sent_goal_ = session.goal;
+  if (!session.drags_goal && session.goal == sent_goal_) return;
+  target_.move_to(session.goal, interval_s * session.speed);
+  sent_goal_ = session.goal;
+}
+
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices) {
+  std::vector<InputEntry> inputs{linked<PointerLink>(mouse_kind), linked<InputLink>(script_kind),
+                                 linked<InputLink>(replay_kind), circle_entry()};
+  inputs.insert(inputs.end(), devices.begin(), devices.end());
+  inputs.push_back(virtual_falcon_entry(readiness_of));
+  return inputs;
 }
 
 }  // namespace ghostforce

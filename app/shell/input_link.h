@@ -14,6 +14,7 @@
 #include "app/base/failure.h"
 #include "app/state/session.h"
 #include "core/snapshot.h"
+#include "device/input/input.h"
 #include "device/input_catalog.h"
 
 namespace ghostforce {
@@ -94,5 +95,39 @@ const InputEntry* find_input(std::span<const InputEntry> inputs, std::string_vie
 
 // The inputs as a person may choose among them. `has_recording`: one is loaded that can be replayed.
 std::vector<InputChoice> choices_of(std::span<const InputEntry> inputs, bool has_recording);
+
+// PointerLink: to an input whose goal the pointer of the window moves. UI thread.
+class PointerLink : public InputLink {
+ public:
+  PointerLink(PointerTarget& target, const Scene&, const InputOptions&) : target_(target) {}
+
+  void begin(Session& session) override;
+  void fill(LoopReading& reading) const override { reading.refused += target_.ignored_moves(); }
+  void send(Session& session, double interval_s) override;
+
+ private:
+  PointerTarget& target_;
+  Vector<2> sent_goal_{0.0};
+  std::uint32_t restarts_ = 0;
+};
+
+// The inputs that need nothing but this program, each with its link: all of device/input_catalog.h. A link that is more
+// than a few lines is in a file of its own, which gives its row of the list. Any thread; making an input allocates and
+// may throw.
+class FalconInput;
+struct FalconReport;
+
+// How far a Falcon is, found out by who knows what to do about it; may be empty.
+using ReadinessOf =
+    std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
+
+// In the order in which people see them. `devices`: those that this front of the program adds, which come before what
+// rehearses them.
+std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices = {});
+
+InputEntry circle_entry();
+InputEntry virtual_falcon_entry(const ReadinessOf& readiness_of);
+// Of a Falcon on whatever cable the maker gives it.
+InputEntry falcon_entry(const InputMaker<FalconInput>& maker, const ReadinessOf& readiness_of);
 
 }  // namespace ghostforce

@@ -4,7 +4,6 @@
 #pragma once
 
 #include "app/picture/moment_history.h"
-#include "app/picture/shown_moment.h"
 #include "app/state/session.h"
 
 namespace ghostforce {

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/paint/label_painter.h"
-#include "app/shell/fixed_window.h"
+#include "app/shell/window.h"
 #include "app/widgets/focus.h"
 #include "app/widgets/style.h"
 #include "app/widgets/tooltips.h"

@@ -3,17 +3,20 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <filesystem>
 #include <optional>
 #include <span>
+#include <string_view>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
-#include "app/base/did_you_mean.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/files/problem_list.h"
 #include "app/files/input_file.h"
+#include "app/files/output_file.h"
+#include "app/files/read_error.h"
 #include "app/files/toml_document.h"
 #include "app/shell/action_kinds.h"
 #include "app/shell/line_text.h"
@@ -337,6 +340,34 @@ RecordedSession load_session(const std::string& path) {
   }
   if (file.error != 0) throw unreadable(shown, file.error);
   return read_session(file.text, shown);
+}
+
+SessionRecorder::SessionRecorder(const std::string& path, const SessionStart& start)
+    : path_(path), descriptor_(open_growing_file(path)) {
+  constexpr std::string_view kind = "a session";
+  if (descriptor_.number() < 0) throw no_growing_file(path, kind, errno);
+  append(start_line(start));
+  if (error_ == 0) return;
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  throw no_growing_file(path, kind, error_);
+}
+
+void SessionRecorder::write_choices(const Session& session) {
+  for (const Action& choice : {Action(ChangeAppearance{session.appearance}), Action(ChangeViewOptions{session.options}),
+                               Action(ChangePlots{session.plots}), Action(ChangeSpaceMouse{session.spacemouse}),
+                               Action(ChangeSpeed{session.speed}), Action(ChooseLanguage{session.language})}) {
+    write(0.0, choice);
+  }
+}
+
+std::string SessionRecorder::problem() const {
+  if (error_ == 0) return {};
+  return fmt::format("{} does not hold the whole session: {}", quoted_text(path_, longest_path), reason_of(error_));
+}
+
+void SessionRecorder::append(const std::string& line) noexcept {
+  if (error_ == 0) error_ = append_whole(descriptor_.number(), line);
 }
 
 }  // namespace ghostforce

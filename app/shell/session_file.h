@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/files/descriptor.h"
 #include "app/files/read_error.h"
 #include "app/state/action.h"
 
@@ -52,5 +53,30 @@ std::string line_value(std::string_view text);
 RecordedSession read_session(std::string_view text, std::string_view shown_path);
 // Throws ReadError; Failure(interrupted).
 RecordedSession load_session(const std::string& path);
+
+// SessionRecorder: writes down what the person does, line by line as it comes: each is in the file before the Action is
+// done, so that the last line of a program that has crashed is what made it crash. UI thread.
+class SessionRecorder {
+ public:
+  // A new file. Throws Failure(file_trouble), also where there is one already.
+  SessionRecorder(const std::string& path, const SessionStart& start);
+
+  // What the person had chosen before: preferences, as Actions at the beginning.
+  void write_choices(const Session& session);
+  void write(double time_s, const Action& action) { append(action_line({time_s, action})); }
+  // The last line.
+  void end(double time_s) { append(end_line(time_s)); }
+
+  // Why the file is not complete; empty: it is.
+  std::string problem() const;
+
+ private:
+  // Never throws: what the person does goes on without the file.
+  void append(const std::string& line) noexcept;
+
+  std::string path_;
+  Descriptor descriptor_;
+  int error_ = 0;
+};
 
 }  // namespace ghostforce

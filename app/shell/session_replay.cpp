@@ -5,12 +5,12 @@
 
 #include <fmt/format.h>
 
-#include "app/files/scene_reader.h"
+#include "app/files/scene_file.h"
 #include "app/state/lesson_file.h"
 #include "app/state/permit.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "device/servo/frame_servo_driver.h"
+#include "device/servo/servo_driver.h"
 
 namespace ghostforce {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/files/input_file.h"
-#include "app/paint/shader_program.h"
+#include "app/paint/shaders.h"
 
 namespace ghostforce {
 namespace {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/visible_change.h"
+#include "app/picture/moment_history.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/kiosk_visit.h"
-#include "core/belief_follower.h"
-#include "core/units.h"
+#include "core/belief.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

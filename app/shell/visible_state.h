@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "app/picture/shown_moment.h"
+#include "app/picture/moment_history.h"
 #include "app/picture/trail_history.h"
 #include "app/state/session.h"
 

@@ -8,13 +8,28 @@
 #include <string>
 #include <vector>
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include "app/files/clipboard_tool.h"
 #include "app/files/image.h"
-#include "app/shell/window_size.h"
+#include "app/picture/theme.h"
 #include "app/state/key_bindings.h"
+#include "app/state/stage_mode.h"
 #include "app/widgets/panel_context.h"
 
 namespace ghostforce {
+
+// How large a window is, and may be.
+
+// Smaller, and the bars have no room for their words [screen coordinates].
+inline constexpr int least_window_width = 480;
+inline constexpr int least_window_height = 360;
+
+struct WindowSize {
+  int width = 0;
+  int height = 0;
+};
 
 // What the keyboard did: a key went down or up, or a character came without a key, from an input method.
 struct KeyEvent {
@@ -155,5 +170,52 @@ class Window {
   bool is_stirred_ = false;  // since the last poll
   Touch touch_;              // since the last take_touch
 };
+
+// Windows of Dear ImGui that stand still: the whole screen, and the pieces that it is divided into. Tab goes through all
+// pieces of a screen, in the order in which they are drawn.
+
+inline constexpr ImGuiWindowFlags fixed_window =
+    ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+inline constexpr ImGuiWindowFlags fixed_bar = fixed_window | ImGuiWindowFlags_NoScrollWithMouse;
+
+struct Rect {
+  ImVec2 corner;
+  ImVec2 size;
+};
+
+// Ends with ImGui::End().
+inline void begin_screen(const char* name) {
+  ImGui::SetNextWindowPos({0.0F, 0.0F});
+  ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});
+  ImGui::Begin(name, nullptr, fixed_bar | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoBringToFrontOnFocus);
+  ImGui::PopStyleVar();
+}
+
+// Within a screen; ends with ImGui::EndChild(). ImGui::BeginChild() would make a name of its own for it.
+inline void begin_piece(const char* name, const Rect& rect, ImGuiWindowFlags flags) {
+  ImGui::SetCursorScreenPos(rect.corner);
+  ImGui::SetNextWindowSize(rect.size);
+  ImGuiNextWindowData& next = ImGui::GetCurrentContext()->NextWindowData;
+  next.HasFlags |= ImGuiNextWindowDataFlags_HasChildFlags;
+  next.ChildFlags = ImGuiChildFlags_NavFlattened | ImGuiChildFlags_AlwaysUseWindowPadding;
+  ImGui::Begin(name, nullptr, flags | ImGuiWindowFlags_ChildWindow);
+}
+
+// How much of the screen a picture shows.
+enum class Part : std::uint8_t {
+  window,  // scene, panels and bars
+  scene,   // the scene alone
+};
+
+// What painters multiply the height of a face's labels by: those of the stage are as large as they say.
+inline double text_scale_of(Face face, double scale, const Theme& theme) noexcept {
+  return face == Face::stage ? 1.0 : scale * theme.thickness;
+}
+
+// What Dear ImGui calls a key. Pure, any thread.
+
+// Of one of keys.h; ImGuiKey_None where it has no name for it.
+ImGuiKey imgui_key(int key) noexcept;
 
 }  // namespace ghostforce

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/shell/fixed_window.h"
+#include "app/shell/window.h"
 #include "app/stage/hints.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/target.h"

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/picture/panes.h"
-#include "app/picture/shown_moment.h"
+#include "app/picture/moment_history.h"
 #include "app/picture/trail_history.h"
 #include "app/shell/gestures.h"
-#include "app/shell/part.h"
+#include "app/shell/window.h"
 #include "app/state/session.h"
 #include "app/widgets/panel_context.h"
 

@@ -1,7 +1,5 @@
 #include "app/stage/landscape_layer.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -9,9 +7,12 @@
 #include <string_view>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "app/stage/landscape_map.h"
 #include "app/stage/landscape_words.h"
-#include "core/units.h"
+#include "app/stage/stage_layers.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {
@@ -207,5 +208,33 @@ std::string landscape_sentence(const LandscapeView& view) {
 void add_landscape(const LandscapeView& view, Marks& marks) {
   LandscapePainter(view, marks).compose();
 }
+
+// The landscape as a mode of the stage.
+
+namespace {
+
+void add_map(const StageLayer& layer) {
+  const StageContent& content = layer.content;
+  add_landscape(stage_landscape(content, layer.canvas.camera), layer.canvas.marks);
+}
+
+std::string no_sentence(const StageContent& /*content*/) {
+  return {};
+}
+
+}  // namespace
+
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera) {
+  return {.settings = content.settings,
+          .dial = content.landscape_dial,
+          .has_every_motor = content.moment.weights[index_of(StrategyId::full)] == 1.0,
+          .language = content.language,
+          .theme = content.theme,
+          .camera = camera,
+          .scale = content.scale,
+          .measure = content.measure};
+}
+
+const StageModeLayers landscape_layers{StageMode::landscape, add_map, no_sentence};
 
 }  // namespace ghostforce

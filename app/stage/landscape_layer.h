@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/picture/marks.h"
-#include "app/stage/landscape_view.h"
+#include "app/stage/landscape_layout.h"
 
 namespace ghostforce {
 

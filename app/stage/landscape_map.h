@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/stage/landscape_contours.h"
-#include "app/stage/landscape_view.h"
+#include "app/stage/landscape_layout.h"
 #include "app/stage/landscape_words.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 
 #include "app/picture/marks.h"
 #include "app/picture/screen_box.h"
-#include "app/stage/landscape_view.h"
+#include "app/stage/landscape_layout.h"
 
 namespace ghostforce {
 

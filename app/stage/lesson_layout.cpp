@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/picture/text_lines.h"
-#include "app/stage/strategy_button.h"
+#include "app/picture/text.h"
+#include "app/stage/stage_places.h"
 
 namespace ghostforce {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/stage/stage_layers.h"
 
 namespace ghostforce {

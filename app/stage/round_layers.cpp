@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/stage/stage_layers.h"
 
 namespace ghostforce {

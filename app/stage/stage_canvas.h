@@ -9,12 +9,32 @@
 
 #include "app/picture/camera.h"
 #include "app/picture/label_placer.h"
+#include "app/picture/label_search.h"
 #include "app/picture/marks.h"
 #include "app/picture/screen_box.h"
 #include "app/picture/theme.h"
-#include "app/stage/stage_label.h"
 
 namespace ghostforce {
+
+// StageLabel: the words of the stage. One thing has one set of words at a time.
+struct StageLabel {
+  // In the order of their importance.
+  enum Id : LabelId {
+    numbers,  // the block of the two large numbers
+    hint,     // what a newcomer is asked to do
+    guess,
+    measured_hand,
+    ghost,
+    slide,
+    handle,
+    wall_share,
+    hand,
+    expected_rest,
+    expected_contact,
+    motor,
+    wall,
+  };
+};
 
 struct StageCanvas {
   const Camera& camera;

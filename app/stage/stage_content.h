@@ -12,8 +12,9 @@
 #include "app/picture/view.h"
 #include "app/stage/stage_layout.h"
 #include "app/stage/stage_lesson.h"
-#include "app/stage/stage_measuring.h"
+#include "app/stage/stage_places.h"
 #include "app/stage/stage_sentence.h"
+#include "app/state/session.h"
 #include "app/state/stage_language.h"
 #include "app/state/stage_moment.h"
 #include "core/loop_energy.h"
@@ -77,6 +78,18 @@ struct StageContent {
   StageSecrets hides{};
   std::string warning{};  // what must be said instead of the sentence; may be empty
   bool is_bare = false;   // the scene alone: no sentence, no large numbers, no buttons round it
+};
+
+// StageFrame: what a frame of the stage is made from. Refers to what others hold for as long as the frame lasts.
+struct StageFrame {
+  const ShownMoment& shown;
+  const History& history;
+  const LoopReading& loop;
+  const Theme& theme;
+  const MeasureText& measure;
+  Vector<2> size;        // of the window [points]
+  double scale;          // UI scale
+  bool is_bare = false;  // see StageContent
 };
 
 }  // namespace ghostforce

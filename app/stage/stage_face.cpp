@@ -14,7 +14,7 @@
 #include "app/state/front_keys.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/stage_buttons.h"
+#include "app/state/stage_action.h"
 #include "app/state/stage_modes.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"

@@ -7,7 +7,7 @@
 #include "app/stage/guess_game.h"
 #include "app/stage/idle_show.h"
 #include "app/stage/stage.h"
-#include "app/stage/stage_frame.h"
+#include "app/stage/stage_content.h"
 #include "app/stage/stage_pointer.h"
 #include "app/stage/stage_transition.h"
 #include "app/state/action.h"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/stage/lesson_layout.h"
+#include "app/stage/stage_places.h"
 #include "app/stage/stage_sentence.h"
-#include "app/stage/strategy_button.h"
 
 namespace ghostforce {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "app/picture/camera.h"
-#include "app/picture/text_lines.h"
+#include "app/picture/text.h"
 #include "app/stage/stage_places.h"
 #include "core/scene.h"
 

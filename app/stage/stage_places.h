@@ -9,13 +9,55 @@
 
 #include "app/picture/screen_box.h"
 #include "app/picture/view.h"
-#include "app/stage/lesson_places.h"
 #include "app/stage/stage_lesson.h"
-#include "app/stage/stage_measuring.h"
 #include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
+#include "core/hand_estimator.h"
 
 namespace ghostforce {
+
+// StageMeasuring: what the stage shows of measuring the hand. Values, read only; any thread. SI units.
+struct StageMeasuring {
+  bool is_running = false;
+  double filled = 0.0;  // of its ring, 0 to 1
+  // While it runs, what it waits for; afterwards, why nobody knows.
+  HandUnknown why = HandUnknown::none;
+  std::optional<HandEstimate> result{};  // known
+  std::optional<HandEstimate> before{};  // the one that was known before
+  bool is_believed = false;              // the result is what the renderer believes in now
+  // Of a lesson that wants another grip: the nearest stiffness that would do [N/m].
+  std::optional<double> asked{};
+
+  // It was tried, or is, and there is something to say about it instead of a number.
+  bool has_trouble() const noexcept { return why != HandUnknown::none; }
+};
+
+// The words of its button, of which there are several: letters are as large with all of them.
+struct StageMeasuringButton {
+  std::string words;
+  std::string longest;
+};
+
+// LessonLayout: where the words and buttons of a lesson stand on the stage. Points of the window, y down; any thread.
+struct LessonLayout {
+  struct Button {
+    ScreenBox box;
+    std::vector<std::string> lines;
+  };
+  // At the upper right.
+  std::vector<std::string> title;
+  ScreenBox title_box;
+  Vector<2> place{0.0};               // of its words
+  std::vector<Vector<2>> dots;        // their middles
+  ScreenBox corner;                   // where the way out is,
+  std::optional<ScreenBox> language;  // or the button of another language
+  // Below, in rows.
+  std::vector<Button> answers;
+  std::optional<ScreenBox> slider;
+  std::optional<ScreenBox> back;
+  ScreenBox next;
+  double top = 0.0;  // of these rows
+};
 
 struct StageButton {
   StageAction action;
@@ -75,5 +117,11 @@ struct StageFrameWords {
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
 };
+
+// The buttons of the three strategies: how wide they are. Pure, any thread.
+
+// With its key and the strategy's shape before the words [points].
+double strategy_button_width(std::string_view words, double unit, const StageLetters& letters,
+                             const MeasureText& measure);
 
 }  // namespace ghostforce

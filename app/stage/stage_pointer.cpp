@@ -8,9 +8,9 @@
 #include "app/stage/landscape_layout.h"
 #include "app/stage/lesson_layout.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/lesson_slider.h"
+#include "app/state/lesson_quantities.h"
 #include "app/state/permit.h"
-#include "app/state/stage_buttons.h"
+#include "app/state/stage_action.h"
 #include "app/widgets/focus.h"
 
 namespace ghostforce {

@@ -8,7 +8,7 @@
 #include <imgui.h>
 
 #include "app/stage/stage.h"
-#include "app/stage/stage_frame.h"
+#include "app/stage/stage_content.h"
 #include "app/state/action.h"
 #include "app/widgets/pointing.h"
 

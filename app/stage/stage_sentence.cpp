@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

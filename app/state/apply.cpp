@@ -6,7 +6,6 @@
 #include <numbers>
 #include <utility>
 
-#include "app/state/circle_test.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/measurement_guide.h"
@@ -14,7 +13,7 @@
 #include "app/state/scene_view_limits.h"
 #include "app/state/stage_modes.h"
 #include "app/state/kiosk_visit.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

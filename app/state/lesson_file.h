@@ -30,4 +30,12 @@ const LessonWords& words_in(const Lesson& lesson, std::string_view wanted);
 // Those that a person can ask for: the stage's own, and others of these lessons, which must outlive the answer.
 std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons);
 
+// The lessons that come with the program, read once. Immutable, any thread.
+
+// In the order of their numbers.
+const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons();
+
+// How many of its steps ask something.
+std::size_t questions_of(const Lesson& lesson) noexcept;
+
 }  // namespace ghostforce

@@ -9,7 +9,7 @@
 
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_file.h"
-#include "app/state/lesson_slider.h"
+#include "app/state/lesson_quantities.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/stage_modes.h"
 #include "app/state/stage_view.h"

@@ -10,12 +10,11 @@
 #include <fmt/format.h>
 
 #include "app/base/language.h"
-#include "app/base/unicode.h"
+#include "app/base/quoted.h"
 #include "app/files/scene_keys.h"
-#include "app/state/lesson_catalogs.h"
 #include "app/state/lesson_quantities.h"
-#include "app/state/set_up_line.h"
-#include "core/units.h"
+#include "app/state/set_up.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/quantities.h"
+#include "app/picture/glossary.h"
 #include "core/strategy.h"
 
 namespace ghostforce {

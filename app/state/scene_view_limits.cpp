@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "app/files/scene_file.h"
+
 namespace ghostforce {
 
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at) {
@@ -32,6 +34,14 @@ SceneView within_scene_limits(SceneView shown) {
   }
   shown.center = nearest_in_scene(shown.center);
   return shown;
+}
+
+Scene scene_as_seen(const Session& session) {
+  Scene scene = *session.scene;
+  scene.settings = session.settings;
+  scene.view = session.shown;
+  if (session.pointer_moves_goal) scene.goal.points.back() = session.goal;
+  return rounded_to_file(std::move(scene));
 }
 
 }  // namespace ghostforce

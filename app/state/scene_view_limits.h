@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/picture/pane_views.h"
+#include "app/state/session.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -15,5 +16,11 @@ SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
 // The same of panes side by side: where the pointer is in one, all the others do likewise. `at`: in that pane.
 PaneViews zoomed(const PaneViews& views, double factor, StrategyId pane, const Vector<2>& at);
 PaneViews moved(const PaneViews& views, const Vector<2>& by);
+
+// Saving what is on the screen. UI thread.
+
+// The scene as it would have to be loaded to show what is seen now: settings as they are, the path's last waypoint
+// where the goal is, the view as it is.
+Scene scene_as_seen(const Session& session);
 
 }  // namespace ghostforce

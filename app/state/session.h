@@ -3,6 +3,8 @@
 // of a file, or of a device more than values that are told about it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -16,24 +18,152 @@
 #include "app/picture/pane_views.h"
 #include "app/picture/theme.h"
 #include "app/picture/view.h"
-#include "app/state/belief_source.h"
-#include "app/state/stiffness_probe.h"
+#include "app/state/lesson.h"
 #include "app/state/lesson_progress.h"
-#include "app/state/lesson_state.h"
 #include "app/state/measurement.h"
-#include "app/state/plot_view.h"
-#include "app/state/stage_choice.h"
+#include "app/state/stage_mode.h"
 #include "app/state/stage_view.h"
-#include "app/state/kiosk_visit_state.h"
-#include "core/hand_reading.h"
+#include "core/conventions.h"
+#include "core/hand_estimator.h"
 #include "core/loop_energy.h"
 #include "core/scene.h"
 #include "device/report/input_choice.h"
 #include "device/report/motor_report.h"
-#include "device/report/readiness.h"
 #include "device/report/spacemouse.h"
 
 namespace ghostforce {
+
+// StiffnessProbe: the stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until
+// it is known how stiff the hand is, or it gives up and says why. Only model time in the wall counts. As a value of
+// the session; stiffness_probe_guide.h leads it. SI units.
+struct StiffnessProbe {
+  enum class Stage : std::uint8_t { off, running, done };
+  // In the wall, without an answer.
+  static constexpr double gives_up_after_s = 6.0;
+
+  Stage stage = Stage::off;
+  double filled = 0.0;  // of the time that it takes, 0 to 1
+  // While it runs, what it waits for: no_contact, no_tones (the motors are off), none. Done: why nobody knows.
+  HandUnknown why = HandUnknown::none;
+  HandEstimate estimate{};               // done, and known
+  std::optional<HandEstimate> before{};  // the last one that was known before this one
+
+  bool has_left_wall = false;          // since it began
+  double given_k_u = 0.0;              // of the simulated hand that was measured [N/m]
+  double tried_s = 0.0;                // in the wall, since it began
+  std::optional<double> seen_s{};      // model time of the last look; empty: it has not begun yet
+  std::optional<double> pressing_s{};  // model time since which it is in the wall; empty: it is not
+
+  bool is_running() const noexcept { return stage == Stage::running; }
+  bool is_known() const noexcept { return stage == Stage::done && why == HandUnknown::none; }
+};
+
+// PlotView: what of the plots a person looks at. Part of the session.
+enum class PlotTab : std::uint8_t { time, wall_angle, ratio, hand };
+
+// In proposed file names.
+constexpr std::string_view plot_tab_name(PlotTab tab) noexcept {
+  constexpr std::array<std::string_view, 4> names{"over-time", "over-wall-angle", "over-ratio", "hand-over-time"};
+  return names[static_cast<std::size_t>(tab)];
+}
+
+// What it shows has a time axis, and can be looked back at.
+constexpr bool is_over_time(PlotTab tab) noexcept {
+  return tab == PlotTab::time || tab == PlotTab::hand;
+}
+
+struct PlotView {
+  // What fits into the plots' memory at 1 kHz [s].
+  static constexpr double longest_span_s = 65.0;
+  static constexpr double shortest_span_s = 0.02;
+
+  bool is_open = false;
+  PlotTab tab = PlotTab::time;
+  bool follows = true;  // the newest tick is at the right edge
+  double from_s = 0.0;  // the times in sight; model time
+  double to_s = 4.0;
+  std::optional<double> cursor_s{};  // the time under the pointer
+
+  double span_s() const noexcept { return to_s - from_s; }
+  // Keeps the right edge.
+  void set_span(double span_s) noexcept { from_s = to_s - span_s; }
+};
+
+// LessonState: where a person is in a lesson, what they have answered, and what they had on the screen before. Part of the
+// session; lesson_guide.h is what changes it.
+
+// Of a step's question. Shown: the answer was given away, without a score.
+enum class LessonOutcome : std::uint8_t { open, right, wrong, shown };
+
+struct LessonStepState {
+  LessonOutcome outcome = LessonOutcome::open;
+  std::optional<std::size_t> chosen{};  // of the answers, from 0
+  std::optional<Vector<2>> guess{};     // of where the handle comes to rest [m]
+  std::optional<double> missed_by{};    // its distance from there [m]
+
+  friend bool operator==(const LessonStepState&, const LessonStepState&) = default;
+};
+
+struct LessonState {
+  // The hand on its way to where a step wants it.
+  struct Glide {
+    Vector<2> from{0.0};  // [m]
+    Vector<2> to{0.0};
+    Vector<2> last{0.0};  // where it has put the hand; a hand that is elsewhere has been taken hold of
+    double elapsed_s = 0.0;
+  };
+  // What comes back when the lesson ends.
+  struct Before {
+    Settings settings;
+    Vector<2> goal{0.0};
+    SceneView stage_shown;
+    Face face = Face::stage;
+    double speed = 1.0;
+    BeliefSource belief_source = BeliefSource::typed;
+  };
+
+  std::shared_ptr<const Lesson> lesson;  // never null
+  std::size_t step = 0;                  // of the lesson's, from 0
+  std::size_t furthest = 0;              // that was ever shown
+  std::vector<LessonStepState> steps;    // as many as the lesson has
+  bool is_finished = false;              // the person has gone on from the last step
+  std::optional<Glide> glide{};
+  double met_s = 0.0;  // for so long the conditions of the task have been met
+  Before before{};
+};
+
+// StageChoice: what the person does on the stage. Part of the session.
+struct StageChoice {
+  StageMode mode = StageMode::none;
+  bool switches_slowly = false;             // the strategy was chosen with Shift, or by a clicker's step
+  std::optional<Vector<2>> guess{};         // of where the handle comes to rest, while predicting [m]
+  bool guess_is_open = true;                // it can still be moved, and the answer is hidden
+  std::uint32_t reveals_asked = 0;          // of the truth about the guess
+  int why_step = 0;                         // 1 to 4, of Why?; 0: not begun
+  std::optional<double> landscape_dial{};   // 0 naïve, 1 anisotropic, as it was dragged; empty: as the strategy has it
+  std::optional<double> looks_back_to_s{};  // the moment of the last minute that is shown, model time; empty: now
+  bool is_black = false;                    // the picture is hidden, as clickers do
+  std::optional<int> demo_step{};           // of the talk that a clicker goes through; empty: not begun
+};
+
+// KioskVisit: the visitor's mode, in which lessons follow one another in a loop for whoever comes along. Part of the
+// session; kiosk_visit.h is what changes it.
+struct KioskVisit {
+  std::vector<std::shared_ptr<const Lesson>> lessons;  // one at least
+  std::string language;                                // with which each visit begins
+  std::size_t lesson = 0;                              // of the lessons, the one that is shown
+  bool has_visitor = false;                            // somebody has touched something since the start
+  double untouched_s = 0.0;                            // since somebody last did
+  double since_start_s = 0.0;
+  std::optional<Vector<2>> handle{};  // of a device, where it was when somebody last moved it [m]
+  std::uint32_t departures = 0;       // of visitors, since the program began
+
+  // After the last one comes the first.
+  const std::shared_ptr<const Lesson>& take_next_lesson() {
+    lesson = (lesson + 1) % lessons.size();
+    return lessons[lesson];
+  }
+};
 
 struct PanelContext;
 

@@ -2,6 +2,8 @@
 // the command line and the tests walk. Immutable, any thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -24,5 +26,26 @@ std::span<const StageModeEntry> stage_mode_catalog() noexcept;
 // Empty when none has that name.
 std::optional<StageMode> find_stage_mode(std::string_view name) noexcept;
 std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
+
+// The two faces of the window: the stage, for who looks and plays, and the workbench, for who changes and measures. The one
+// list that the command line, files and the tests walk. Immutable, any thread.
+enum class Face : std::uint8_t { stage, workbench };
+
+struct FaceEntry {
+  Face id;
+  std::string_view name;  // in files and on the command line
+};
+inline constexpr std::array face_catalog{FaceEntry{Face::stage, "stage"}, FaceEntry{Face::workbench, "workbench"}};
+
+constexpr std::string_view face_name(Face id) noexcept {
+  return face_catalog[static_cast<std::size_t>(id)].name;
+}
+// Empty when none has that name.
+constexpr std::optional<Face> find_face(std::string_view name) noexcept {
+  for (const FaceEntry& entry : face_catalog) {
+    if (entry.name == name) return entry.id;
+  }
+  return std::nullopt;
+}
 
 }  // namespace ghostforce

@@ -1,6 +1,5 @@
 #include "app/state/stage_modes.h"
 
-#include "app/state/circle_test.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "device/report/input_choice.h"
 
@@ -26,6 +25,23 @@ void leave_stage_mode(Session& session) {
   stage.why_step = 0;
   stage.guess.reset();
   stage.landscape_dial.reset();
+}
+
+void begin_circle_test(Session& session) {
+  if (session.circle_test.is_on) {
+    session.wanted_input.reset();  // which would end it, where one lesson follows another
+    return;
+  }
+  session.circle_test.input_before = session.input;
+  session.wanted_input = circling_hand.name;
+}
+
+void end_circle_test(Session& session) {
+  session.wanted_input = session.circle_test.input_before;
+}
+
+Circle circle_of(const Session& session) noexcept {
+  return circle_inside(wall_of(session.settings), session.goal, session.circle_test.choice);
 }
 
 }  // namespace ghostforce

@@ -1,8 +1,8 @@
-// What begins, follows and uses the probe that measures the hand (stiffness_probe.h). Edits the session; UI thread. SI units.
+// What begins, follows and uses the probe that measures the hand (session.h). Edits the session; UI thread. SI units.
 #pragma once
 
 #include "app/state/session.h"
-#include "core/hand_reading.h"
+#include "core/hand_estimator.h"
 #include "core/snapshot.h"
 #include "device/report/motor_report.h"
 

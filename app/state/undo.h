@@ -5,10 +5,10 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
-#include "app/state/belief_source.h"
-#include "app/state/face.h"
+#include "app/state/measurement.h"
 #include "app/state/stage_mode.h"
 #include "core/scene.h"
 
@@ -84,5 +84,10 @@ class UndoHistory {
   bool was_held_ = false;       // since the last complete change
   bool ends_in_nudge_ = false;  // the last change was the goal's, by keys: the next press belongs to it
 };
+
+// What a step of undo changes, in words for the button that takes it.
+
+// "k_r", "the strategy and the wall's angle", "opening “A wall at 45 degrees”"; never empty.
+std::string words_of_change(const UndoState& before, const UndoState& after);
 
 }  // namespace ghostforce

@@ -13,7 +13,7 @@
 #include "app/widgets/focus.h"
 #include "app/widgets/symbol_text.h"
 #include "core/scene.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "app/picture/screen_box.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

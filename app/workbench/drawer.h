@@ -15,4 +15,7 @@ void draw_wall_angle_plots(const PanelContext& context);
 void draw_ratio_plots(const PanelContext& context);
 void draw_hand_plot(const PanelContext& context, const History& history);
 
+// The language of the stage and of lessons, one of the catalog. Within a frame, UI thread.
+void draw_language_choice(const PanelContext& context);
+
 }  // namespace ghostforce

@@ -11,13 +11,13 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/drawer.h"
 #include "app/workbench/equilibrium_curves.h"
 #include "app/workbench/plot_pieces.h"
 #include "app/workbench/ratio_dial.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

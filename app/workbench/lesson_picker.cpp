@@ -7,13 +7,12 @@
 #include <fmt/format.h>
 
 #include "app/files/file_exchange.h"
-#include "app/stage/lesson_card.h"
+#include "app/stage/lesson_content.h"
 #include "app/state/lesson_file.h"
-#include "app/state/lesson_shelf.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/picture_card.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/language_choice.h"
+#include "app/workbench/drawer.h"
 
 namespace ghostforce {
 namespace {

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <string>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/state/measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "app/workbench/panel_catalog.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

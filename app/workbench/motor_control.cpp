@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/state/front_keys.h"
-#include "app/state/stage_buttons.h"
+#include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
 

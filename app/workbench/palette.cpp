@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/state/palette_catalog.h"
-#include "app/state/palette_search.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "app/workbench/dialogs.h"

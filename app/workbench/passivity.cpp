@@ -6,11 +6,11 @@
 
 #include <glm/common.hpp>
 
-#include "app/picture/number_text.h"
-#include "app/state/circle_test.h"
+#include "app/picture/text.h"
+#include "app/state/stage_modes.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -10,15 +10,14 @@
 #include <fmt/format.h>
 
 #include "app/files/csv_table.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/picture/chart.h"
-#include "app/picture/chart_pane.h"
-#include "app/picture/number_text.h"
-#include "app/state/scene_as_seen.h"
+#include "app/picture/text.h"
+#include "app/state/scene_view_limits.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/equilibrium_curves.h"
 #include "app/workbench/ratio_dial.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "app/paint/file_painter.h"
-#include "app/picture/shown_moment.h"
+#include "app/picture/moment_history.h"
 #include "app/picture/trail_history.h"
 #include "app/state/action.h"
 

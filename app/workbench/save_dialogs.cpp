@@ -9,7 +9,7 @@
 #include "app/files/file_exchange.h"
 #include "app/files/video_encoder.h"
 #include "app/state/front_keys.h"
-#include "app/state/plot_view.h"
+#include "app/state/session.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/dialogs.h"

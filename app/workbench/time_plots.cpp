@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/drawer.h"
 #include "app/workbench/plot_pieces.h"
-#include "app/workbench/time_axis.h"
 
 namespace ghostforce {
 namespace {

@@ -7,14 +7,13 @@
 #include <string>
 #include <string_view>
 
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 #include "app/state/measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/belief.h"
-#include "core/belief_follower.h"
 #include "core/prediction.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/state/front_keys.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/language_choice.h"
+#include "app/workbench/drawer.h"
 #include "app/workbench/panel_catalog.h"
 
 namespace ghostforce {

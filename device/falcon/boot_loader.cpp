@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "device/falcon/ftdi_requests.h"
+#include "device/falcon/link_setup.h"
 
 namespace ghostforce {
 namespace {

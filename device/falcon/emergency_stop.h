@@ -1,5 +1,5 @@
 // The emergency stop: when the process is to end, motors are told to stop by the signal handler itself, before any thread
-// hears of it, or because no thread ever will (emergency_handlers.h). One link per process has motors. Everything here is
+// hears of it, or because no thread ever will (emergency_stop.h). One link per process has motors. Everything here is
 // async-signal-safe, on any thread. In a page no process dies that leaves a device behind: there it is ordered only by
 // who calls it.
 #pragma once
@@ -19,4 +19,21 @@ void stop_motors() noexcept;
 bool is_ordered() noexcept;
 
 }  // namespace emergency_stop
+
+// What orders the emergency stop (emergency_stop.h) where a process may die: its signals, and its exit.
+
+namespace emergency_stop {
+
+// Makes every signal that would end the process stop the motors first, and then end the process as it would have. Not
+// those that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit()
+// does so too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every
+// other thread needs one itself.
+void install_handlers() noexcept;
+
+// From now on this process ignores signals that would suspend it (Ctrl+Z), because it could not turn motors off while
+// it is suspended. SIGSTOP cannot be ignored.
+void refuse_to_be_stopped() noexcept;
+
+}  // namespace emergency_stop
+
 }  // namespace ghostforce

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "device/falcon/emergency_stop.h"
-#include "device/falcon/ftdi_requests.h"
 #include "device/falcon/link_setup.h"
 
 namespace ghostforce {

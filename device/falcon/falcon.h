@@ -7,7 +7,7 @@
 // takes a while, opening and closing (link_opener.h).
 //
 // A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
-// (reply_matcher.h). After 20 ms without a reply the motors are told to stop, and again once the chip has been set up
+// (frame.h). After 20 ms without a reply the motors are told to stop, and again once the chip has been set up
 // anew (link_setup.h). Encoders that leap farther than a hand can move are not believed until three replies in a row
 // say so.
 //
@@ -30,7 +30,6 @@
 #include "device/falcon/kinematics.h"
 #include "device/falcon/link_opener.h"
 #include "device/falcon/link_script.h"
-#include "device/falcon/reply_matcher.h"
 #include "device/falcon/stop_debts.h"
 
 namespace ghostforce {

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

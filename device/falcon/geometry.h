@@ -13,7 +13,6 @@
 #include <string_view>
 
 #include "core/conventions.h"
-#include "core/units.h"
 
 namespace ghostforce {
 

@@ -9,7 +9,7 @@
 
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/frame.h"
-#include "device/falcon/ftdi_requests.h"
+#include "device/falcon/link_setup.h"
 #include "device/falcon/stop_debts.h"
 #include "device/motor_guard/usb_node.h"
 

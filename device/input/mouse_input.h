@@ -9,7 +9,6 @@
 
 #include "core/latest_value.h"
 #include "device/input/input.h"
-#include "device/input/pointer_target.h"
 
 namespace ghostforce {
 

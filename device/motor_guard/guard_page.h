@@ -67,4 +67,14 @@ enum class GuardAction : std::uint8_t { watch, stop_motors, end };
 GuardAction guard_action(bool has_ended, bool may_push, std::int64_t beat_ns, bool program_is_gone,
                          std::int64_t now_ns) noexcept;
 
+// How a program calls its guard: ghostforce-guard NODE, with three files open.
+
+namespace guard_call {
+
+inline constexpr int device_descriptor = 3;    // the device's file, with its interface claimed
+inline constexpr int page_descriptor = 4;      // a GuardPage
+inline constexpr int lifeline_descriptor = 5;  // a pipe that ends when the program does
+
+}  // namespace guard_call
+
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// ghostforce-guard: stops the motors of a program that cannot do it itself. See motor_guard.h; guard_call.h says how it is
+// ghostforce-guard: stops the motors of a program that cannot do it itself. See motor_guard.h; guard_page.h says how it is
 // called. It has one thread, allocates nothing once it watches, and needs the C library alone.
 #include <fcntl.h>
 #include <poll.h>
@@ -15,7 +15,6 @@
 #include <span>
 
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/guard_call.h"
 #include "device/motor_guard/guard_page.h"
 #include "device/motor_guard/usb_node.h"
 

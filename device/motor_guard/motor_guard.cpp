@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/guard_call.h"
+#include "device/motor_guard/guard_page.h"
 
 namespace ghostforce {
 namespace {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace ghostforce {
@@ -24,5 +26,28 @@ inline constexpr InputChoice replayed_hand{"replay", "Replay",
 
 // They wait for nobody: no lesson can be done with them, and no visitor has a part in them.
 inline constexpr std::array hands_moving_by_themselves{scripted_hand, circling_hand, replayed_hand};
+
+// Readiness: what lies between a device in its box and one that pushes, step by step in the order in which they are
+// reached. Plain values, so that a panel may show them; app/tools/doctor/readiness.h finds them out.
+enum class ReadinessStep : std::uint8_t {
+  seen,
+  allowed,
+  free,
+  firmware,
+  homed,
+  encoders_move,
+  fast_enough,
+  outside_wall,
+  armed,
+};
+
+struct ReadinessStepState {
+  ReadinessStep step = ReadinessStep::seen;
+  std::string_view name;   // in JSON
+  std::string_view title;  // on screen: what is so, or is still to come
+  bool is_reached = false;
+  bool is_current = false;  // the first that is not reached
+  std::string words;        // whole sentences: what is so, and what to do; empty: its turn has not come
+};
 
 }  // namespace ghostforce

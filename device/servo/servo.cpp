@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/belief.h"
-#include "core/divergence.h"
+#include "core/tick.h"
 #include "core/proxy.h"
 #include "core/scene.h"
 

@@ -13,7 +13,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "core/belief_follower.h"
+#include "core/belief.h"
 #include "core/force_limiter.h"
 #include "core/hand_measurement.h"
 #include "core/latest_value.h"
@@ -75,7 +75,7 @@ struct ServoReport {
   std::uint32_t restarts = 0;             // the restarts_asked that this run came from
   // Commands with settings, a speed or a restart state out of range: that part of them had no effect.
   std::uint32_t refused_commands = 0;
-  // The settings are unstable: stopped at the last tick before it ran away (core/divergence.h) until a restart or other
+  // The settings are unstable: stopped at the last tick before it ran away (core/tick.h) until a restart or other
   // settings.
   bool diverged = false;
   LoopHealth loop;

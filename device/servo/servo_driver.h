@@ -1,8 +1,10 @@
 // ServoDriver: who makes a servo tick as time goes on. The window's program hands one in: a thread of its own on a desktop
-// (servo_thread.h), the frames themselves in a page, which has no threads (frame_servo_driver.h). UI thread.
+// (servo_thread.h), the frames themselves in a page, which has no threads (servo_driver.h). UI thread.
 #pragma once
 
 #include <cstdint>
+
+#include "device/servo/servo.h"
 
 namespace ghostforce {
 
@@ -21,6 +23,26 @@ class ServoDriver {
   virtual void stop() noexcept = 0;
   // Once a frame. `now_ns`: by any clock that goes with real time.
   virtual void step(std::int64_t /*now_ns*/) noexcept {}
+};
+
+// FrameServoDriver: makes the ticks of each frame when the frame comes, for a program without threads. See
+// Servo::step_to() for what a device must be like. UI thread, which is the servo thread too.
+class FrameServoDriver final : public ServoDriver {
+ public:
+  FrameServoDriver() = default;
+  ~FrameServoDriver() override { FrameServoDriver::stop(); }
+
+  void start(Servo& servo) override { servo_ = &servo; }
+  void stop() noexcept override {
+    if (servo_ != nullptr) servo_->shut_down();
+    servo_ = nullptr;
+  }
+  void step(std::int64_t now_ns) noexcept override {
+    if (servo_ != nullptr) servo_->step_to(now_ns);
+  }
+
+ private:
+  Servo* servo_ = nullptr;
 };
 
 }  // namespace ghostforce

@@ -7,7 +7,6 @@
 
 #include "device/input/monotonic_clock.h"
 #include "device/input/thread_signals.h"
-#include "device/servo/hybrid_sleep.h"
 #include "device/servo/realtime.h"
 #include "device/servo/servo.h"
 

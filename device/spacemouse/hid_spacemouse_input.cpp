@@ -25,7 +25,6 @@
 #include <unistd.h>
 
 #include "device/input/thread_signals.h"
-#include "device/spacemouse/spacemouse_products.h"
 #include "device/spacemouse/spacemouse_report.h"
 
 namespace ghostforce {

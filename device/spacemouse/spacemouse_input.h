@@ -1,15 +1,58 @@
-// The hand on a SpaceMouse: the newest reading, from whoever reads the device, moves the goal (spacemouse_motion.h). A
+// The hand on a SpaceMouse: the newest reading, from whoever reads the device, moves the goal (spacemouse_input.h). A
 // thread does it on a desktop (device/spacemouse), the browser in a page. SI units.
 //
 // set(), reading() and the constructor belong to the UI thread, publish() to who reads the device, restart() and goal()
 // to the servo thread; none waits or throws.
 #pragma once
 
+#include <array>
+#include <cstdint>
+
+#include "core/conventions.h"
 #include "core/latest_value.h"
 #include "device/input/input.h"
-#include "device/spacemouse/spacemouse_motion.h"
+#include "device/report/spacemouse.h"
 
 namespace ghostforce {
+
+// How the cap of a SpaceMouse moves the goal. Its sideways axis is x; y is lifting it, or pushing it away. Either the
+// goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens (late reports, a
+// change of mode, a device that goes and comes back), the goal never moves faster than fastest_m_s, and it stays where
+// it is while there is no device, or one that has gone silent. Stepped once per tick; allocates and throws nothing; one
+// thread. SI units.
+
+// Whether all numbers are finite, the dead zone less than 1, and none negative.
+bool is_valid(const SpaceMouseSettings& settings) noexcept;
+
+// Deflection of the cap, at most 1 long, from its axes, -1 to 1 each. The dead zone is round, and beyond its edge the
+// deflection starts from 0: no step there, and no direction is lost.
+Vector<2> deflection(const std::array<double, 6>& axes, const SpaceMouseSettings& settings) noexcept;
+
+class SpaceMouseMotion {
+ public:
+  static constexpr double farthest_m = 1.0;   // goals lie within ± this on each axis
+  static constexpr double fastest_m_s = 0.6;  // of the goal
+  // The cap's deflection passes two of these lags, which turn some hundred steps a second into one smooth motion.
+  static constexpr double lag_s = 0.010;
+  // A deflected cap repeats its reports some hundred times a second. When a rate gets none for this long, the last one,
+  // that of a cap at rest, was lost: the rate is 0 until the next report.
+  static constexpr double longest_silence_s = 0.5;
+
+  void restart(const Vector<2>& goal) noexcept;
+
+  // The next tick, with the newest reading.
+  Vector<2> step(const SpaceMouseReading& reading, const SpaceMouseSettings& settings, double rate_hz) noexcept;
+
+ private:
+  Vector<2> goal_{0.0};
+  Vector<2> rest_{0.0};    // where the goal is in position mode when nobody touches the cap
+  Vector<2> first_{0.0};   // deflection after the first lag
+  Vector<2> second_{0.0};  // and after the other
+  std::uint32_t connection_ = 0;
+  std::uint64_t reports_ = 0;    // of the newest reading
+  double since_report_s_ = 0.0;  // in rate mode
+  SpaceMouseSettings::Mode mode_ = SpaceMouseSettings::Mode::position;
+};
 
 class SpaceMouseInput : public Input {
  public:

@@ -14,7 +14,7 @@
 #include "core/scene.h"
 #include "core/tremor_and_drift.h"
 #include "device/falcon/falcon_input.h"
-#include "device/input/pointer_target.h"
+#include "device/input/input.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

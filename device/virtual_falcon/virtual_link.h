@@ -19,7 +19,6 @@
 #include "device/falcon/falcon_link.h"
 #include "device/virtual_falcon/arm.h"
 #include "device/virtual_falcon/falcon_dsp.h"
-#include "device/virtual_falcon/fixed_queue.h"
 #include "device/virtual_falcon/hand.h"
 #include "device/virtual_falcon/injected_fault.h"
 

@@ -1,4 +1,4 @@
-#include "core/belief_follower.h"
+#include "core/belief.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "core/coupling.h"
+#include "core/actuation.h"
 
 #include <limits>
 #include <type_traits>

@@ -1,4 +1,4 @@
-#include "core/divergence.h"
+#include "core/tick.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "core/encoder.h"
+#include "core/sampled_device.h"
 
 #include <gtest/gtest.h>
 

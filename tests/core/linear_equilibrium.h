@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "core/coupling.h"
+#include "core/actuation.h"
 #include "core/equilibrium.h"
 
 namespace ghostforce {

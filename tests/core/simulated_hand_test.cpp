@@ -1,4 +1,4 @@
-#include "core/simulated_hand.h"
+#include "core/tremor_and_drift.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The hand of a scene, measured by tones as fast as the machine can.
-#include "core/simulated_measurement.h"
+#include "core/hand_measurement.h"
 
 #include <numbers>
 

@@ -1,4 +1,4 @@
-#include "core/stiffness_path.h"
+#include "core/goal_path.h"
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/belief_follower.h"
+#include "core/belief.h"
 #include "core/hand_measurement.h"
 #include "core/latest_value.h"
 #include "core/ring.h"

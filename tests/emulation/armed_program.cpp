@@ -31,7 +31,6 @@
 #include "app/base/interruption.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
-#include "device/falcon/emergency_handlers.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon_usb/ftdi_link.h"

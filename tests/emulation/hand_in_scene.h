@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "device/falcon/plane.h"
+#include "device/falcon/falcon_input.h"
 #include "tests/emulation/falcon_chip.h"
 
 namespace ghostforce {

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "device/falcon/falcon_input.h"
-#include "device/falcon/ftdi_requests.h"
+#include "device/falcon/link_setup.h"
 #include "device/falcon_usb/ftdi_link.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"

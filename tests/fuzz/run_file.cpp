@@ -5,7 +5,6 @@
 #include "app/base/failure.h"
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
-#include "app/runs/replay_start.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

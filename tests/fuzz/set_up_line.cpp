@@ -2,7 +2,7 @@
 #include <string>
 
 #include "app/files/read_error.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "tests/fuzz/fuzz.h"
 #include "tests/support/set_up_values.h"
 

@@ -3,7 +3,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "device/spacemouse/spacemouse_motion.h"
+#include "device/spacemouse/spacemouse_input.h"
 #include "device/spacemouse/spacemouse_report.h"
 #include "tests/fuzz/fuzz.h"
 

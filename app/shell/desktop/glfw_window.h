@@ -9,6 +9,9 @@
 #include "app/shell/desktop/opengl_window.h"
 #include "app/shell/window.h"
 
+struct GLFWmonitor;
+struct GLFWwindow;
+
 namespace ghostforce {
 
 class GlfwWindow : public Window {
@@ -66,5 +69,14 @@ class GlfwWindow : public Window {
     int x = 0, y = 0;
   } restored_corner_;
 };
+
+// Monitors: how much room there is for a window, and which one it is on. Main thread, between the window library's
+// beginning and end.
+
+// As large as what the desktop leaves free of the primary monitor, at most; as WindowOptions has it.
+WindowSize fitted(WindowSize size);
+
+// The one that shows most of the window; null: there is none.
+GLFWmonitor* monitor_of(GLFWwindow* window);
 
 }  // namespace ghostforce

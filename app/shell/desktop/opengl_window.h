@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "app/shell/desktop/display_watch.h"
 #include "app/shell/desktop/egl_context.h"
@@ -25,7 +26,7 @@ struct WindowOptions {
   bool fits_monitor = false;  // smaller where the monitor is
   bool takes_mouse = true;    // false: no hover and no click changes a picture
   // Called at once, on another thread, when a display or its window is lost; null: nothing is. The program ends a little
-  // later, with words (display_loss.h).
+  // later, with words (display_watch.h).
   void (*when_lost)() noexcept = nullptr;
 };
 
@@ -63,5 +64,13 @@ class OpenGlWindow {
   std::optional<EglContext> egl_;      // empty: the window has a context of its own
   std::optional<DisplayWatch> watch_;  // of an X server's
 };
+
+// Memory for drawing. OpenGL's libraries crash or hang where a limit of the process (ulimit -v) leaves them too little,
+// so it is asked for beforehand.
+
+// Before OpenGL is loaded, for a window of that size [px]. Where there is room for it only without threads of the
+// software renderer, it gets none, and draws the same more slowly. Throws Failure(file_trouble) where there is no room,
+// whose words end in what else the person can do, the `remedy`.
+void make_room_for_drawing(int width, int height, std::string_view remedy);
 
 }  // namespace ghostforce

@@ -4,7 +4,9 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace ghostforce {
 
@@ -23,5 +25,30 @@ std::span<const RendererEntry> renderer_catalog() noexcept;
 const RendererEntry& entry_of(Renderer renderer) noexcept;
 // Empty when none has that name.
 std::optional<Renderer> find_renderer(std::string_view name) noexcept;
+
+// Which driver draws offscreen: the software renderer that Mesa chooses by itself, whatever the environment says. What
+// somebody has set for the programs on their desktop (another driver, another version of OpenGL) makes Mesa draw other
+// pictures, or crash where there is no desktop.
+
+// Takes such variables out of the environment, and says so on the standard error. Before any OpenGL is loaded and any
+// thread is started.
+void choose_offscreen_driver();
+
+// Which renderers this machine has. Each is tried in a process of its own, so that a driver that crashes or hangs does no
+// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it
+// while there is one thread.
+struct RendererFinding {
+  Renderer renderer;
+  bool is_there = false;
+  bool is_default = false;  // draws where nobody asks for one
+  std::string words;        // what draws and its version, or why it cannot and what to install
+};
+
+// In the order of the catalog.
+std::vector<RendererFinding> examine_renderers();
+
+// One line about the renderer that draws where nobody asks for one, "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core
+// Profile) Mesa 22.3.6, by egl", or why there is none.
+std::string default_renderer_words();
 
 }  // namespace ghostforce

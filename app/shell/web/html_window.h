@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "app/shell/web/touch_gestures.h"
 #include "app/shell/window.h"
@@ -58,5 +59,10 @@ class HtmlWindow final : public Window {
   bool is_restored_ = false;
   int context_losses_ = 0;
 };
+
+// The browser's names of keys.
+
+// KeyboardEvent.code, the place on a US keyboard, as one of app/state/keys.h; 0: it has none.
+int key_of_code(std::string_view code) noexcept;
 
 }  // namespace ghostforce

@@ -13,11 +13,10 @@
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page_inputs.h"
 #include "app/state/lesson_file.h"
-#include "app/state/lesson_shelf.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "app/workbench/panel_catalog.h"
-#include "device/servo/frame_servo_driver.h"
+#include "device/servo/servo_driver.h"
 #include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {

@@ -8,7 +8,7 @@
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/picture/camera.h"
@@ -16,7 +16,7 @@
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "app/state/stage_mode.h"
 #include "core/simulate.h"

@@ -12,7 +12,7 @@
 
 #include <fmt/format.h>
 
-#include "app/base/did_you_mean.h"
+#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
 #include "app/files/input_file.h"
 #include "app/files/scene_file.h"

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/base/failure.h"
 #include "device/falcon/calibration.h"
+#include "device/falcon/falcon_input.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/usb_search.h"
@@ -42,5 +44,13 @@ std::string firmware_words(const std::optional<FirmwareImage>& image);
 
 std::string text_of(const Diagnosis& diagnosis);
 std::string json_of(const Diagnosis& diagnosis);
+
+// The examination of a Falcon, real or virtual: driven as in the window, by the same input, up to the last step that
+// needs no wall, with its motors off all the time. Takes seconds; the thread that calls it drives the device.
+
+// Looks once whether the device is there, gives it firmware if it has none, waits up to `wait_s` until a person has
+// homed it and moved its handle, and measures its exchanges for a second. Ends earlier where a fault ends it. `watch`
+// sees every reading and may throw. Returns the last report before the device was let go.
+FalconReport examine(FalconInput& falcon, double wait_s, const std::function<void(const FalconReport&)>& watch);
 
 }  // namespace ghostforce

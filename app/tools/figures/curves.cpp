@@ -8,9 +8,9 @@
 
 #include "app/base/failure.h"
 #include "app/tools/figures/sheet.h"
-#include "core/divergence.h"
+#include "core/tick.h"
 #include "core/simulate.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

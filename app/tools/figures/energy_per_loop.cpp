@@ -12,7 +12,7 @@
 #include "app/tools/figures/curves.h"
 #include "app/tools/figures/sheet.h"
 #include "core/loop_energy.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/tools/figures/motion_picture.h"
-#include "core/simulated_hand.h"
-#include "core/units.h"
+#include "core/tremor_and_drift.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -6,7 +6,7 @@
 #include "app/files/scene_file.h"
 #include "app/tools/figures/sheet.h"
 #include "core/ghost_force.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/picture/layers.h"
 #include "app/picture/screen_box.h"
 #include "app/picture/trail_history.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/paint/vector/vector_painter.h"
-#include "app/picture/chart_pane.h"
+#include "app/picture/chart.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

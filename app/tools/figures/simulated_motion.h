@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/files/csv_table.h"
+#include "app/files/run.h"
 #include "app/tools/figures/figure.h"
 #include "core/prediction.h"
 #include "core/scene.h"
@@ -34,5 +35,11 @@ const Settings& last_settings(const SimulatedMotion& motion);
 
 // One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
 CsvTable table_of(std::span<const SimulatedMotion> motions);
+
+// The hand of a run, as figure 6 takes it. Pure, any thread.
+
+// `name` is what messages and the figure call the run. Throws Failure(wrong_call) where the run tells no scene, or has
+// no two ticks to move between.
+RecordedHand recorded_hand(const Run& run, std::string name);
 
 }  // namespace ghostforce

@@ -10,7 +10,7 @@
 #include "app/files/scene_file.h"
 #include "app/tools/figures/sheet.h"
 #include "core/belief.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

@@ -6,7 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "app/tools/sweep/grid.h"
 #include "app/tools/sweep/point_equilibrium.h"
@@ -33,5 +36,16 @@ std::size_t sweep_threads() noexcept;
 // Hands every block to `take`, on this thread. Stops after the last whole row when the program is interrupted
 // (interruption.h), and returns whether it got to the end.
 bool sweep(const SweepPlan& plan, std::size_t thread_count, const std::function<void(const SweptBlock&)>& take);
+
+// A sweep as CSV: comment lines with version, scene and ranges, one line of column names, then one row per point and
+// strategy. Numbers in the shortest form that reads back exactly, whatever the locale. Pure, any thread; not for the
+// servo thread (it allocates).
+
+// All that stands before the first row.
+std::string sweep_header(const Scene& scene, const Grid& grid, const EquilibriumKind& kind);
+
+// The rows of a point, each with its newline.
+void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,
+                       const EquilibriumKind& kind);
 
 }  // namespace ghostforce

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/text_lines.h"
+#include "app/picture/text.h"
 
 namespace ghostforce {
 namespace {

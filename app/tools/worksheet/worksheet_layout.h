@@ -13,7 +13,6 @@
 #include "app/picture/screen_box.h"
 #include "app/picture/view.h"
 #include "app/tools/worksheet/worksheet_item.h"
-#include "app/tools/worksheet/worksheet_phrases.h"
 
 namespace ghostforce {
 

@@ -1,4 +1,4 @@
-#include "app/base/did_you_mean.h"
+#include "app/base/typed_text.h"
 
 #include <array>
 #include <optional>

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/base/failure.h"
-#include "app/tools/doctor/examination.h"
+#include "app/tools/doctor/diagnosis.h"
 #include "app/tools/doctor/readiness.h"
 #include "app/tools/doctor/udev_rule.h"
 #include "core/scene.h"

@@ -1,5 +1,5 @@
 // What the command line says about a Falcon, and what is made of the files that it needs.
-#include "app/cli/falcon_options.h"
+#include "app/cli/desktop_inputs.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
-#include "app/cli/exit_code.h"
+#include "app/cli/command.h"
 #include "app/tools/doctor/diagnosis.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/support/temporary_folder.h"

@@ -8,9 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/base/unicode.h"
+#include "app/base/quoted.h"
 #include "app/files/scene_file.h"
-#include "app/files/scene_reader.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/theme.h"
 #include "tests/app/paint/vector/vector_panes.h"

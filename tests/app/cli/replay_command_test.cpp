@@ -20,7 +20,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "tests/app/runs/recorded_by_dice.h"

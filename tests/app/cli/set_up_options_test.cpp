@@ -1,4 +1,4 @@
-#include "app/cli/set_up_options.h"
+#include "app/cli/picture_options.h"
 
 #include <algorithm>
 #include <string>
@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/shell_word.h"
-#include "app/state/picture_set_up.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up_of.h"
+#include "app/state/set_up.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"

@@ -1,5 +1,5 @@
 // Animated PNG files, read again by a strict reader that shares nothing with the writer.
-#include "app/files/animated_png.h"
+#include "app/files/clip_file.h"
 
 #include <random>
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "app/base/failure.h"
-#include "core/units.h"
+#include "core/conventions.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::falcon_calibration_file_test {

@@ -1,5 +1,5 @@
 // That a file which is wrong from end to end is told of from its beginning, and costs no more than its reading.
-#include "app/files/problem_list.h"
+#include "app/files/read_error.h"
 
 #include <algorithm>
 #include <string>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/falcon_calibration_file.h"
-#include "app/files/scene_reader.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce::first_problems_test {
 namespace {

@@ -18,7 +18,6 @@
 #include <gtest/gtest.h>
 
 #include "app/base/failure.h"
-#include "app/files/output_folder.h"
 #include "tests/support/file_calls.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

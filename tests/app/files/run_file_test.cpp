@@ -1,4 +1,4 @@
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 
 #include <bit>
 #include <charconv>

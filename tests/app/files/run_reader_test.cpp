@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
-#include "app/runs/replay_start.h"
+#include "app/runs/replay.h"
 #include "core/simulate.h"
 #include "ghostforce_version.h"
 #include "tests/support/scene_values.h"

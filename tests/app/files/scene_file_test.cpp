@@ -17,7 +17,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/exit_code.h"
+#include "app/cli/command.h"
 #include "app/files/input_file.h"
 #include "embedded_scenes.h"
 #include "tests/support/places.h"

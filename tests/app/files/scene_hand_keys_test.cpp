@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/scene_reader.h"
+#include "app/files/scene_file.h"
 #include "tests/app/files/scene_with.h"
 
 namespace ghostforce::scene_hand_keys_test {

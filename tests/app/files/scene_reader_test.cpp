@@ -1,4 +1,4 @@
-#include "app/files/scene_reader.h"
+#include "app/files/scene_file.h"
 
 #include <algorithm>
 #include <cmath>

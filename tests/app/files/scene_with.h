@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/files/scene_reader.h"
+#include "app/files/scene_file.h"
 
 namespace ghostforce {
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "app/cli/exit_code.h"
+#include "app/cli/command.h"
 
 namespace ghostforce::toml_document_test {
 namespace {

@@ -1,5 +1,5 @@
 // Where in a picture a half plane is all there, where its edge runs, and where there is nothing of it.
-#include "app/paint/half_plane_tiles.h"
+#include "app/paint/area_coverage.h"
 
 #include <cmath>
 #include <vector>

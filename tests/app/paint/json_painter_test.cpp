@@ -1,5 +1,5 @@
 // What the JSON of a picture tells of each form.
-#include "app/paint/json_painter.h"
+#include "app/paint/file_painter.h"
 
 #include <algorithm>
 #include <optional>

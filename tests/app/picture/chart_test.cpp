@@ -1,7 +1,6 @@
 // Charts: whatever is on them, at any size, words stand apart and inside, curves stay in the plot, and the legend
 // covers none of them.
 #include "app/picture/chart.h"
-#include "app/picture/chart_pane.h"
 
 #include <gtest/gtest.h>
 

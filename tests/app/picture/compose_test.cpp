@@ -1,5 +1,4 @@
 // The picture as marks: what is drawn, where the model says it is, and that words stay readable. No OpenGL here.
-#include "app/picture/compose.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What is kept of the hand, and how much of it.
-#include "app/picture/hand_history.h"
+#include "app/picture/plot_history.h"
 
 #include <gtest/gtest.h>
 

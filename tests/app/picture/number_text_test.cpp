@@ -1,4 +1,4 @@
-#include "app/picture/number_text.h"
+#include "app/picture/text.h"
 
 #include <gtest/gtest.h>
 

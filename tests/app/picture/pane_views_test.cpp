@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "app/picture/fit.h"
+#include "app/picture/camera.h"
 #include "tests/app/picture/workbench_case.h"
 
 namespace ghostforce::pane_views_test {

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/units.h"
+#include "core/conventions.h"
 #include "tests/app/picture/label_unrest.h"
 #include "tests/app/picture/workbench_case.h"
 

@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
 #include "core/simulate.h"

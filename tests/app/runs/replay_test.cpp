@@ -14,11 +14,10 @@
 #include <gtest/gtest.h>
 
 #include "app/files/program_build.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/recording.h"
-#include "app/runs/replay_start.h"
 #include "core/simulate.h"
 #include "tests/app/runs/recorded_by_dice.h"
 

@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include "app/picture/quantities.h"
+#include "app/picture/glossary.h"
 #include "app/shell/preferences.h"
 #include "app/state/live_table.h"
-#include "app/state/undo_words.h"
+#include "app/state/undo.h"
 #include "app/workbench/panel_catalog.h"
 #include "app/workbench/status_bar.h"
 #include "tests/app/shell/driven_window.h"

@@ -3,7 +3,7 @@
 
 #include <glm/common.hpp>
 
-#include "device/servo/frame_servo_driver.h"
+#include "device/servo/servo_driver.h"
 #include "tests/app/shell/driven_window.h"
 
 namespace ghostforce::frame_servo_window_test {

@@ -4,7 +4,6 @@
 
 #include <atomic>
 
-#include "app/shell/portable_inputs.h"
 #include "device/falcon/falcon_input.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/device/falcon/fake_falcons.h"

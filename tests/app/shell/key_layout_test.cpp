@@ -1,5 +1,5 @@
 // Which key is meant, on keyboards of several countries.
-#include "app/shell/key_layout.h"
+#include "app/shell/keyboard.h"
 
 #include <gtest/gtest.h>
 

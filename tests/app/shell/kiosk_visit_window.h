@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/state/lesson_shelf.h"
+#include "app/state/lesson_file.h"
 #include "app/state/kiosk_visit.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"

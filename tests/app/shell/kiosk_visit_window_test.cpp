@@ -6,7 +6,7 @@
 
 #include "app/state/key_bindings.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/picture_set_up.h"
+#include "app/state/set_up_of.h"
 #include "app/widgets/focus.h"
 #include "device/falcon/falcon_report.h"
 #include "tests/app/shell/kiosk_visit_window.h"

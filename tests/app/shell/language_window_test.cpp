@@ -8,7 +8,6 @@
 #include "app/cli/reading_aloud.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/lesson_shelf.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/fake_speech_tool.h"
 #include "tests/support/screen_text.h"

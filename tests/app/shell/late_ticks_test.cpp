@@ -1,5 +1,5 @@
 // Which ticks the status bar calls late.
-#include "app/shell/late_ticks.h"
+#include "app/shell/frame_pacer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include <imgui_internal.h>
 
-#include "app/picture/quantities.h"
+#include "app/picture/glossary.h"
 #include "app/state/measurement_guide.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/prediction.h"

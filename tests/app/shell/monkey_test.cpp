@@ -23,7 +23,6 @@
 #include "app/shell/gestures.h"
 #include "app/state/apply.h"
 #include "app/state/key_bindings.h"
-#include "app/state/scene_as_seen.h"
 #include "app/state/scene_view_limits.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/app/shell/monkey.h"

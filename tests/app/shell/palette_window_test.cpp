@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/state/palette_search.h"
+#include "app/state/palette_catalog.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "app/shell/session_recorder.h"
+#include "app/shell/session_file.h"
 #include "app/shell/session_replay.h"
 #include "tests/app/shell/driven_window.h"
 

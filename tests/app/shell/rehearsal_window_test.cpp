@@ -2,7 +2,7 @@
 // driver, led by the pointer. Its clock is moved by the servo's steps.
 #include <algorithm>
 
-#include "app/state/stage_buttons.h"
+#include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
 #include "tests/app/shell/driven_window.h"
 

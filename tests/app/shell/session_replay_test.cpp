@@ -9,7 +9,7 @@
 
 #include "app/picture/handles.h"
 #include "app/state/live_table.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "tests/app/shell/recorded_window.h"
 #include "tests/support/places.h"

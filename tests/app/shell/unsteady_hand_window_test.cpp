@@ -4,7 +4,7 @@
 
 #include <glm/geometric.hpp>
 
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "core/equilibrium.h"
 #include "tests/app/shell/driven_window.h"

@@ -15,7 +15,7 @@
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/stage/landscape_map.h"
-#include "core/units.h"
+#include "core/conventions.h"
 #include "tests/app/stage/random_settings.h"
 
 namespace ghostforce::landscape_layer_test {

@@ -10,7 +10,7 @@
 #include "app/files/scene_file.h"
 #include "core/ghost_force.h"
 #include "core/scene.h"
-#include "core/units.h"
+#include "core/conventions.h"
 #include "tests/app/stage/random_settings.h"
 
 namespace ghostforce::landscape_test {

@@ -8,7 +8,7 @@
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/lesson_shelf.h"
+#include "app/state/lesson_file.h"
 
 namespace ghostforce::visit_test {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/files/scene_keys.h"
 #include "app/state/lesson_quantities.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 
 namespace ghostforce::lesson_search_test {
 namespace {

@@ -1,8 +1,8 @@
 // docs/lessons.md names all that a lesson's file may hold, and its examples are lessons.
 #include <gtest/gtest.h>
 
-#include "app/state/lesson_catalogs.h"
-#include "app/state/lesson_check.h"
+#include "app/state/lesson_reader.h"
+#include "app/state/lesson_search.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
 #include "tests/support/places.h"

@@ -16,9 +16,8 @@
 #include "app/files/scene_file.h"
 #include "app/state/key_bindings.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/lesson_shelf.h"
-#include "app/state/palette_search.h"
-#include "app/state/stage_buttons.h"
+#include "app/state/lesson_file.h"
+#include "app/state/stage_action.h"
 
 namespace ghostforce::palette_catalog_test {
 namespace {

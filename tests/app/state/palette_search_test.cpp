@@ -1,5 +1,5 @@
 // What is found for what is typed, as values.
-#include "app/state/palette_search.h"
+#include "app/state/palette_catalog.h"
 
 #include <string>
 #include <string_view>

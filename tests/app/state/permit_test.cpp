@@ -15,7 +15,7 @@
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/lesson_shelf.h"
+#include "app/state/lesson_file.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/kiosk_visit.h"
 

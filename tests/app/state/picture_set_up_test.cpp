@@ -1,4 +1,4 @@
-#include "app/state/picture_set_up.h"
+#include "app/state/set_up_of.h"
 
 #include <string>
 #include <string_view>
@@ -9,7 +9,7 @@
 #include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 #include "app/files/xml_text.h"
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
 #include "tests/support/temporary_folder.h"

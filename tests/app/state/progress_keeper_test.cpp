@@ -1,5 +1,5 @@
 // Progress in lessons as several windows keep it in one file.
-#include "app/state/progress_keeper.h"
+#include "app/state/lesson_progress.h"
 
 #include <cstdlib>
 #include <filesystem>

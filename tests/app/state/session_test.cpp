@@ -10,7 +10,7 @@
 #include "app/files/png_writer.h"
 #include "app/picture/handles.h"
 #include "app/stage/hints.h"
-#include "app/state/scene_as_seen.h"
+#include "app/state/scene_view_limits.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/caption.h"
 #include "app/workbench/panel_catalog.h"

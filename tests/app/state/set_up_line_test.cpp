@@ -1,4 +1,4 @@
-#include "app/state/set_up_line.h"
+#include "app/state/set_up.h"
 
 #include <limits>
 #include <set>
@@ -10,7 +10,6 @@
 
 #include "app/files/read_error.h"
 #include "app/files/scene_file.h"
-#include "app/state/position_text.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
 

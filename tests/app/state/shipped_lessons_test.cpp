@@ -7,7 +7,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "app/state/lesson_check.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
 #include "app/state/lesson_search.h"

@@ -1,4 +1,4 @@
-#include "device/falcon/emergency_handlers.h"
+#include "device/falcon/emergency_stop.h"
 
 #include <csignal>
 

@@ -15,7 +15,7 @@
 
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
-#include "device/falcon/ftdi_requests.h"
+#include "device/falcon/link_setup.h"
 #include "device/falcon/stop_debts.h"
 
 namespace ghostforce {

@@ -1,6 +1,6 @@
 // The catalog of geometries, and counts as angles.
 #include "device/falcon/geometry.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 #include <algorithm>
 #include <cmath>

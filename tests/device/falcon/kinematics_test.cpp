@@ -1,6 +1,6 @@
 // The Falcon's kinematics against published tables, and against a second formulation with numeric derivatives.
 #include "device/falcon/kinematics.h"
-#include "core/units.h"
+#include "core/conventions.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Which command a reply belongs to, when replies are lost, late or come twice.
-#include "device/falcon/reply_matcher.h"
+#include "device/falcon/frame.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "device/servo/hybrid_sleep.h"
+#include "device/servo/servo_thread.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "device/servo/latency_histogram.h"
+#include "device/servo/servo_thread.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "device/input/haptic_device.h"
-#include "device/servo/frame_servo_driver.h"
+#include "device/input/input.h"
+#include "device/servo/servo_driver.h"
 #include "device/servo/servo.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/device/servo/servo_steps.h"

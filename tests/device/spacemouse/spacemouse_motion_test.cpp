@@ -1,4 +1,4 @@
-#include "device/spacemouse/spacemouse_motion.h"
+#include "device/spacemouse/spacemouse_input.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "device/spacemouse/spacemouse_products.h"
+#include "device/spacemouse/spacemouse_report.h"
 
 #include <gtest/gtest.h>
 

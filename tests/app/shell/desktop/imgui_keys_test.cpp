@@ -1,5 +1,5 @@
 // Keys as Dear ImGui calls them: as its own backend for GLFW has them.
-#include "app/shell/imgui_keys.h"
+#include "app/shell/window.h"
 
 #include <gtest/gtest.h>
 

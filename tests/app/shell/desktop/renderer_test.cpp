@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "app/shell/desktop/renderer_examination.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"

@@ -23,7 +23,6 @@
 #include "app/base/interruption.h"
 #include "app/tools/check/evaluation.h"
 #include "app/tools/check/verdict.h"
-#include "app/tools/check/worker_processes.h"
 #include "tests/app/tools/check/check_cases.h"
 #include "tests/support/before_waiting.h"
 #include "tests/support/no_opengl.h"

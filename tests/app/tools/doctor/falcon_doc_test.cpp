@@ -10,7 +10,7 @@
 
 #include "app/files/falcon_calibration_file.h"
 #include "app/tools/doctor/readiness.h"
-#include "app/tools/measure/steps.h"
+#include "app/tools/doctor/steps.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 #include "device/virtual_falcon/injected_fault.h"

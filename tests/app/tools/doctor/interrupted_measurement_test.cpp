@@ -10,8 +10,7 @@
 #include <cstdlib>
 
 #include "app/base/interruption.h"
-#include "app/tools/measure/measure_command.h"
-#include "app/tools/measure/terminal_operator.h"
+#include "app/tools/doctor/measure_command.h"
 #include "device/falcon/emergency_stop.h"
 #include "tests/app/tools/doctor/measured_rehearsal.h"
 #include "tests/support/before_waiting.h"

@@ -15,7 +15,7 @@
 #include <gtest/gtest.h>
 #include <glm/geometric.hpp>
 
-#include "app/tools/measure/measurement.h"
+#include "app/tools/doctor/measurement.h"
 #include "device/virtual_falcon/measured_person.h"
 
 namespace ghostforce {

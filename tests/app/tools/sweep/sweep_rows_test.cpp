@@ -16,9 +16,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
-#include "app/tools/sweep/rows.h"
 #include "app/tools/sweep/sweep.h"
 #include "core/equilibrium.h"
 #include "core/ghost_force.h"

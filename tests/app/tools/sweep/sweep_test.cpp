@@ -24,10 +24,9 @@
 #include <gtest/gtest.h>
 
 #include "app/base/progress.h"
-#include "app/files/run_file.h"
+#include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "app/tools/sweep/rows.h"
 #include "app/tools/sweep/sweep.h"
 #include "tests/app/tools/sweep/point_equilibrium.h"
 #include "tests/support/places.h"

@@ -7,7 +7,6 @@
 
 #include "app/state/lesson_file.h"
 #include "app/tools/worksheet/worksheet_item.h"
-#include "app/tools/worksheet/worksheet_phrases.h"
 
 namespace ghostforce::worksheet_item_test {
 namespace {

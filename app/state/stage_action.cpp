@@ -1,0 +1,89 @@
+#include "app/state/stage_action.h"
+
+#include "app/state/front_keys.h"
+
+namespace ghostforce {
+namespace {
+
+std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& motors) {
+  if (!motors.has_motors) return all.none;
+  switch (motors.state) {
+    case SafetyState::off:
+      if (motors.may_still_push) return all.may_still_push;
+      if (motors.reason == OffReason::key) return all.off_by_key;
+      if (motors.reason != OffReason::none) return all.off;
+      return motors.is_ready ? all.arm : all.not_ready;
+    case SafetyState::arming:
+      return motors.has_focus ? all.arming : all.arming_without_keys;
+    case SafetyState::ramp:
+    case SafetyState::on:
+      return motors.has_focus ? all.on : all.on_without_keys;
+    case SafetyState::fade:
+      return all.fading;
+  }
+  return {};
+}
+
+std::optional<Action> action_of_command(StageCommand command, const MotorReport& motors) {
+  switch (command) {
+    case StageCommand::keys:
+      return OpenDialog{Dialog::help};
+    case StageCommand::link:
+      return ShowLink{};
+    case StageCommand::motors:
+      return action_of_motor_button(motors);
+    case StageCommand::lessons:
+      return OpenDialog{Dialog::lessons};
+    case StageCommand::previous:
+      return PreviousStep{};
+    case StageCommand::next:
+      return GoOn{};
+    case StageCommand::leave:
+      return LeaveLesson{};
+    case StageCommand::language:
+      return NextLanguage{};
+    case StageCommand::measure:
+      return PressMeasuringButton{};
+    case StageCommand::slider:
+      return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Action> action_of_button(const StageAction& button, const MotorReport& motors) {
+  struct {
+    const MotorReport& motors;
+
+    std::optional<Action> operator()(StrategyId id) const { return ChooseStrategy{id}; }
+    std::optional<Action> operator()(StageMode mode) const { return ToggleMode{mode}; }
+    std::optional<Action> operator()(Face face) const { return ShowFace{face}; }
+    std::optional<Action> operator()(StageAnswer answer) const {
+      return AnswerLesson{static_cast<std::size_t>(answer)};
+    }
+    std::optional<Action> operator()(StageCommand command) const { return action_of_command(command, motors); }
+  } const reader{motors};
+  return std::visit(reader, button);
+}
+
+std::string motor_words(const MotorReport& motors, const StageLanguage& language) {
+  const std::string_view reason = language.motors.reasons[static_cast<std::size_t>(motors.reason)];
+  return filled(words_in(language.motors, motors), reason);
+}
+
+std::optional<Action> action_of_motor_button(const MotorReport& motors) {
+  if (!motors.has_motors) return std::nullopt;
+  if (motors.state != SafetyState::off) return StopMotors{};
+  if (motors.may_still_push) return OpenDialog{Dialog::doctor};
+  if (motors.reason != OffReason::none) return AcknowledgeOff{};
+  if (motors.is_ready) return ArmMotors{};
+  return OpenDialog{Dialog::doctor};
+}
+
+StageKeys stage_keys() noexcept {
+  const FrontKeys& keys = front_keys();
+  return {.lessons = keys.lessons.shown, .help = keys.help.shown, .link = keys.link.shown};
+}
+
+}  // namespace ghostforce
