@@ -93,13 +93,14 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     if (!session.is_editing && ImGui::IsAnyItemActive()) apply(HoldControl{true});
     apply(action);
   };
-  const PanelContext context{session, apply_held,      session,       moment.snapshot,   moment.settings,  loop,
+  const WidgetMemory memory(session);
+  const PanelContext context{session, apply_held,      memory,        moment.snapshot,   moment.settings,  loop,
                              theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
   if (session.face == Face::stage) {
-    draw_stage(context, moment, history, frame);
+    draw_stage(session, context, moment, history, frame);
   } else {
-    workbench_.draw(context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
+    workbench_.draw(session, context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
     panes_ = workbench_.panes();
     scene_corner_ = workbench_.scene_corner();
     scene_size_ = workbench_.scene_size();
@@ -124,7 +125,7 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   draw_focus_ring(theme, styled_scale_);
 }
 
-void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history,
+void Screen::draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment, const History& history,
                         const Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   scene_corner_ = {0.0F, 0.0F};
@@ -136,7 +137,7 @@ void Screen::draw_stage(const PanelContext& context, const ShownMoment& moment, 
     return;
   }
   begin_screen("stage");
-  stage_.update(context.edited, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
+  stage_.update(session, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   draw_motor_frame(context);
   if (context.session.stage.is_black) draw_motor_words(context);
   ImGui::End();

@@ -82,7 +82,8 @@ class Screen {
   };
   void draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
                        const LoopReading& loop, const Frame& frame);
-  void draw_stage(const PanelContext& context, const ShownMoment& moment, const History& history, const Frame& frame);
+  void draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment, const History& history,
+                  const Frame& frame);
   void apply_appearance(const Appearance& appearance);
 
   Window& window_;

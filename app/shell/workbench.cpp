@@ -49,11 +49,11 @@ void bring_into_sight(float top, float bottom) {
 void draw_column(const PanelContext& context) {
   for (const Panel& panel : panel_catalog()) {
     if (panel.is_there != nullptr && !panel.is_there(context.loop)) continue;
-    std::set<std::string, std::less<>>& folded = context.edited.folded_panels;
+    std::set<std::string, std::less<>>& folded = context.memory.folded_panels;
     const bool was_folded = folded.contains(panel.title);
     ImGui::SetNextItemOpen(!was_folded);
     // What a click makes appear is laid out in the frame after.
-    const bool has_news = panel.news != nullptr && panel.news(context.edited);
+    const bool has_news = panel.news != nullptr && panel.news(context.memory);
     const float top = ImGui::GetCursorPosY();
     const bool is_open = draw_panel_head(panel, context);
     if (is_open) {
@@ -61,7 +61,7 @@ void draw_column(const PanelContext& context) {
       panel.draw(context);
       if (has_news && !ImGui::IsAnyItemActive()) {
         bring_into_sight(top, ImGui::GetCursorPosY());
-        panel.news(context.edited) = false;
+        panel.news(context.memory) = false;
       }
     } else if (!was_folded) {
       folded.emplace(panel.title);
@@ -142,8 +142,7 @@ void Workbench::draw_panels(const PanelContext& context, const Layout& layout, c
   ImGui::EndChild();
 }
 
-void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
-  Session& session = context.edited;
+void Workbench::draw(Session& session, const PanelContext& context, const WorkbenchFrame& frame) {
   const Layout layout(frame.part, ImGui::GetIO().DisplaySize, context.scale, strategy_bar_height(context),
                       session.plots.is_open);
   const double unit = static_cast<double>(context.scale) * context.theme.thickness;
@@ -165,7 +164,7 @@ void Workbench::draw(const PanelContext& context, const WorkbenchFrame& frame) {
   if (frame.part == Part::window) draw_panels(context, layout, frame.history);
   ImGui::End();
   // After the panels, so that a change made in this frame is seen in this frame.
-  compose(context, frame);
+  compose(session, context, frame);
 }
 
 PictureContent Workbench::content_of(const Session& session, const ShownMoment& moment, const History& history,
@@ -192,8 +191,7 @@ std::vector<Pane> Workbench::panes_for_file(const Session& session, const ShownM
   return compose_panes(content_of(session, moment, history, loop, measure, scale));
 }
 
-void Workbench::compose(const PanelContext& context, const WorkbenchFrame& frame) {
-  Session& session = context.edited;
+void Workbench::compose(Session& session, const PanelContext& context, const WorkbenchFrame& frame) {
   const bool is_live = frame.is_live;
   // They are fitted once, and not while something moves: the picture must not swim under the pointer.
   if (session.options.compare != Compare::side_by_side) session.pane_views.reset();

@@ -29,8 +29,9 @@ class Workbench {
   // Of the words in the scene.
   explicit Workbench(const LabelFonts& fonts) : gestures_(fonts) {}
 
-  // All but the scene, whose marks are for the caller to paint beneath.
-  void draw(const PanelContext& context, const WorkbenchFrame& frame);
+  // All but the scene, whose marks are for the caller to paint beneath. Fits the session's views to the picture where
+  // that was asked for.
+  void draw(Session& session, const PanelContext& context, const WorkbenchFrame& frame);
 
   const std::vector<Pane>& panes() const noexcept { return panes_; }
   // Upper left corner of the scene in the window [points].
@@ -47,7 +48,7 @@ class Workbench {
  private:
   struct Layout;
   static void draw_panels(const PanelContext& context, const Layout& layout, const History& history);
-  void compose(const PanelContext& context, const WorkbenchFrame& frame);
+  void compose(Session& session, const PanelContext& context, const WorkbenchFrame& frame);
   // What every picture of the scene shows, on a screen or in a file.
   PictureContent content_of(const Session& session, const ShownMoment& moment, const History& history,
                             const LoopReading& loop, const MeasureText& measure, double scale) const;

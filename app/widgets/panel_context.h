@@ -2,6 +2,10 @@
 // person does to `apply`, and knows neither device nor thread.
 #pragma once
 
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
 #include <string_view>
 
 #include <imgui.h>
@@ -10,6 +14,7 @@
 #include "app/paint/scene_gallery.h"
 #include "app/picture/theme.h"
 #include "app/state/action.h"
+#include "app/state/session.h"
 #include "core/snapshot.h"
 
 namespace ghostforce {
@@ -18,10 +23,31 @@ struct Fonts : LabelFonts {
   ImFont* number;  // all digits equally wide
 };
 
+// What widgets keep from one frame to the next. A person chooses none of it, so there is no Action for it; the session
+// holds it, and widgets may change it while they are drawn.
+struct WidgetMemory {
+  explicit WidgetMemory(Session& session) noexcept
+      : form(session.form),
+        plots(session.plots),
+        folded_panels(session.folded_panels),
+        recording_path(session.recording_path),
+        dial_turned_s(session.dial_turned_s),
+        measurement_has_news(session.measurement.has_news),
+        circle_has_news(session.circle_test.has_news) {}
+
+  Form& form;
+  PlotView& plots;  // the times in sight, and the one under the pointer
+  std::set<std::string, std::less<>>& folded_panels;
+  std::string& recording_path;
+  std::optional<double>& dial_turned_s;
+  bool& measurement_has_news;
+  bool& circle_has_news;
+};
+
 struct PanelContext {
   const Session& session;
   const ActionSink& apply;
-  Session& edited;  // the session, for what has no Action yet: forms, folds, views, plots, the age of the dial
+  const WidgetMemory& memory;
   const Snapshot& snapshot;
   const Settings& settings;  // of the moment that is shown; the session's own, but for one of the past
   const LoopReading& loop;
@@ -38,7 +64,7 @@ struct Panel {
   double opens_from = 0.0;                         // folded at first in a lower window [points]
   bool (*is_there)(const LoopReading&) = nullptr;  // null: always
   // Whether something to look at has just appeared in it; cleared once it is in sight. Null: never.
-  bool& (*news)(Session&) = nullptr;
+  bool& (*news)(const WidgetMemory&) = nullptr;
 };
 
 }  // namespace ghostforce

@@ -83,7 +83,7 @@ std::string proposed_path(std::string_view stem, std::string_view extension) {
 }
 
 bool draw_save_path(const PanelContext& context) {
-  Form& form = context.edited.form;
+  Form& form = context.memory.form;
   if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(dialog_field_width(480.0F, context));
   const bool entered = text_field("##path", "", form.path);

@@ -75,14 +75,15 @@ bool has_field(Dialog dialog) noexcept {
 }
 
 void draw_dialog(const PanelContext& context) {
-  Session& session = context.edited;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   const auto entry = std::ranges::find(dialogs, session.dialog, &Entry::id);
   if (entry == dialogs.end()) {
-    session.form = {};
+    form = {};
     return;
   }
   // Every dialog begins with fields of its own.
-  if (session.form.belongs_to != session.dialog && session.form.belongs_to != Dialog::none) session.form = {};
+  if (form.belongs_to != session.dialog && form.belongs_to != Dialog::none) form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
   // The steps speak of what happens in the scene: it stays out of its way.
@@ -100,7 +101,7 @@ void draw_dialog(const PanelContext& context) {
   ImGui::Begin(title.c_str(), &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);
-  if (session.dialog != Dialog::none) session.form.belongs_to = entry->id;
+  if (session.dialog != Dialog::none) form.belongs_to = entry->id;
   ImGui::End();
   if (!is_open) context.apply(CloseDialog{});
 }

@@ -224,7 +224,7 @@ void draw_legend(const PanelContext& context, const HandPoint* point) {
 }  // namespace
 
 void draw_hand_plot(const PanelContext& context, const History& history) {
-  PlotView& view = context.edited.plots;
+  PlotView& view = context.memory.plots;
   bring_times_into_sight(context, history.plots());
   const PlotView before = view;
   const std::vector<HandPoint> points = history.hand().between(view.from_s, view.to_s);

@@ -45,7 +45,7 @@ std::size_t lesson_to_begin(const Session& session) {
 }
 
 void draw_reset(const PanelContext& context, const StageLanguage::Picker& words) {
-  bool& asks = context.edited.form.asks_for_reset;
+  bool& asks = context.memory.form.asks_for_reset;
   if (!asks) {
     if (ImGui::Button(words.forget.data())) asks = true;
     return;
@@ -64,10 +64,11 @@ void draw_reset(const PanelContext& context, const StageLanguage::Picker& words)
 }  // namespace
 
 void draw_lessons(const PanelContext& context) {
-  Session& session = context.edited;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   const StageLanguage::Picker& said = stage_language(session.language).picker;
-  const bool is_new = session.form.belongs_to != Dialog::lessons;
-  if (is_new) session.form.marked_lesson = lesson_to_begin(session);
+  const bool is_new = form.belongs_to != Dialog::lessons;
+  if (is_new) form.marked_lesson = lesson_to_begin(session);
   const auto& lessons = shipped_lessons();
   const ImGuiStyle& style = ImGui::GetStyle();
   const CardRows rows(context, lesson_card_width, 2, lessons.size());
@@ -77,7 +78,7 @@ void draw_lessons(const PanelContext& context) {
     rows.begin_card(i);
     const Lesson& lesson = *lessons[i];
     const LessonWords& words = words_in(lesson, session.language);
-    const bool is_marked = session.form.marked_lesson == i;
+    const bool is_marked = form.marked_lesson == i;
     if (is_new && is_marked) {
       ImGui::SetKeyboardFocusHere();
       ImGui::SetNavCursorVisible(true);

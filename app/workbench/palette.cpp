@@ -74,7 +74,7 @@ std::size_t mark_in_sight(std::size_t mark, float row, float height) {
 // The number among those found of what was pressed; else their count.
 std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEntry>& entries,
                        const std::vector<std::size_t>& found, float width, bool has_moved) {
-  std::size_t& mark = context.edited.form.marked_action;
+  std::size_t& mark = context.memory.form.marked_action;
   const float row = ImGui::GetFrameHeight();
   const float room = ImGui::GetIO().DisplaySize.y - rest_of_palette * context.scale;
   const float height = row * std::clamp(std::floor(room / row), 1.0F, most_rows);
@@ -107,7 +107,7 @@ std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEnt
 
 void draw_palette(const PanelContext& context) {
   const Session& session = context.session;
-  Form& form = context.edited.form;
+  Form& form = context.memory.form;
   const StageLanguage::Palette& said = stage_language(session.language).palette;
   const std::vector<PaletteEntry> entries = palette_catalog(session, context.loop);
   const float width = dialog_field_width(palette_width, context);

@@ -10,12 +10,12 @@ bool has_motors(const LoopReading& loop) {
   return loop.motors.has_motors;
 }
 
-bool& news_of_measurement(Session& session) {
-  return session.measurement.has_news;
+bool& news_of_measurement(const WidgetMemory& memory) {
+  return memory.measurement_has_news;
 }
 
-bool& news_of_circle(Session& session) {
-  return session.circle_test.has_news;
+bool& news_of_circle(const WidgetMemory& memory) {
+  return memory.circle_has_news;
 }
 
 // From these heights on there is room for the panel beside all that open earlier [points].

@@ -148,7 +148,7 @@ void bring_into_sight(double time_s, PlotView& view) {
 }  // namespace
 
 void bring_times_into_sight(const PanelContext& context, const PlotHistory& history) {
-  PlotView& view = context.edited.plots;
+  PlotView& view = context.memory.plots;
   if (view.follows) {
     const double span = view.span_s();
     view.to_s = history.is_empty() ? span : history.newest_s();

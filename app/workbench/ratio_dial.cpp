@@ -50,12 +50,12 @@ bool type_ratio(const PanelContext& context, ImVec2 size) {
 }
 
 // Somebody turns ρ, or has just done so: time to say whom it acts on.
-bool is_turning(Session& session, bool is_held) {
-  const auto ratio = static_cast<float>(session.settings.stiffnesses.chosen_tracking_ratio.value_or(0.0));
+bool is_turning(const PanelContext& context, bool is_held) {
+  const auto ratio = static_cast<float>(context.session.settings.stiffnesses.chosen_tracking_ratio.value_or(0.0));
   float& last = *ImGui::GetStateStorage()->GetFloatRef(ImGui::GetID("last ratio"), ratio);
   const bool is_other = std::exchange(last, ratio) != ratio;
-  if (is_held || is_other) session.dial_turned_s = 0.0;
-  return session.dial_turned_s.has_value();
+  if (is_held || is_other) context.memory.dial_turned_s = 0.0;
+  return context.memory.dial_turned_s.has_value();
 }
 
 // Where the hand is, as it is measured live: where ρ would be optimal for it, and for one deviation to either side.
@@ -169,7 +169,7 @@ void draw_ratio_dial(const PanelContext& context) {
   const float naive_x = std::min(x_of(scale.place(1.0)) - 0.5F * naive_width, naive_end - naive_width);
   // In their place, so that nothing below moves.
   const bool acts_on_another = context.settings.active != StrategyId::anisotropic;
-  if (is_turning(context.edited, is_used) && acts_on_another) {
+  if (is_turning(context, is_used) && acts_on_another) {
     draw_list.AddText(corner, packed(theme.text), "Only Anisotropic uses it.");
   } else {
     draw_list.AddText({optimal_x, corner.y}, packed(theme.strategy_text[index_of(StrategyId::anisotropic)]),

@@ -11,13 +11,13 @@
 namespace ghostforce {
 
 void toggle_recording(const PanelContext& context) {
-  Session& session = context.edited;
+  const Session& session = context.session;
   if (context.loop.recording.is_on) {
     context.apply(StopRecording{});
   } else {
     context.apply(StartRecording{session.recording_path.empty() ? proposed_path(file_stem(session.scene->title), "csv")
                                                                 : session.recording_path});
-    session.recording_path.clear();  // the next one is another file
+    context.memory.recording_path.clear();  // the next one is another file
   }
 }
 
@@ -35,7 +35,7 @@ void draw_recording(const PanelContext& context) {
     ImGui::BeginDisabled(recording.is_on);
     std::string shown = recording.is_on ? recording.path : context.session.recording_path;
     const bool entered = text_field("##recording", "a new name", shown);
-    if (!recording.is_on) context.edited.recording_path = shown;
+    if (!recording.is_on) context.memory.recording_path = shown;
     ImGui::EndDisabled();
     if (entered) toggle_recording(context);
     end_rows();

@@ -37,7 +37,7 @@ void draw_density_choice(Form& form) {
 // True when the file shall be written. A name without one of the endings gets the first of them.
 bool draw_save_path_with(std::span<const char* const> formats, const PanelContext& context) {
   if (!draw_save_path(context)) return false;
-  std::string& path = context.edited.form.path;
+  std::string& path = context.memory.form.path;
   if (format_of(path, formats) == nullptr) path += fmt::format(".{}", formats.front());
   return true;
 }
@@ -45,8 +45,8 @@ bool draw_save_path_with(std::span<const char* const> formats, const PanelContex
 }  // namespace
 
 void draw_save_picture(const PanelContext& context) {
-  Session& session = context.edited;
-  Form& form = session.form;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   if (form.belongs_to != Dialog::save_picture) {
     const std::string stem =
         fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
@@ -94,8 +94,8 @@ void draw_save_picture(const PanelContext& context) {
 void draw_save_clip(const PanelContext& context) {
   const std::span<const char* const> clip_formats(all_clip_formats.data(),
                                                   can_make_videos() ? all_clip_formats.size() : 1);
-  Session& session = context.edited;
-  Form& form = session.form;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   if (form.belongs_to != Dialog::save_clip) {
     form.path = proposed_path(fmt::format("{}-clip", file_stem(session.scene->title)), clip_formats.front());
     form.clip_end_s = context.snapshot.time_s;
@@ -122,8 +122,8 @@ void draw_save_clip(const PanelContext& context) {
 }
 
 void draw_save_plots(const PanelContext& context) {
-  Session& session = context.edited;
-  Form& form = session.form;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   if (form.belongs_to != Dialog::save_plots) {
     form.path = proposed_path(fmt::format("{}-{}", file_stem(session.scene->title), plot_tab_name(session.plots.tab)),
                               plot_formats.front());
@@ -148,13 +148,14 @@ void draw_save_plots(const PanelContext& context) {
 }
 
 void draw_save_scene(const PanelContext& context) {
-  Session& session = context.edited;
-  if (session.form.belongs_to != Dialog::save_scene) {
-    session.form.path = proposed_path(file_stem(session.scene->title), "ghostforce.toml");
+  const Session& session = context.session;
+  Form& form = context.memory.form;
+  if (form.belongs_to != Dialog::save_scene) {
+    form.path = proposed_path(file_stem(session.scene->title), "ghostforce.toml");
   }
   ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
-  context.apply(SaveScene{session.form.path});
+  context.apply(SaveScene{form.path});
   context.apply(CloseDialog{});
 }
 

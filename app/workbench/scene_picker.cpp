@@ -64,7 +64,7 @@ std::string beginning_of(const std::string& problem) {
 }
 
 void draw_problem(const PanelContext& context, float width) {
-  Form& form = context.edited.form;
+  Form& form = context.memory.form;
   if (form.problem.empty()) return;
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.problem));
   wrapped_text(beginning_of(form.problem), ImGui::GetCursorPosX() + width);
@@ -79,8 +79,8 @@ void draw_problem(const PanelContext& context, float width) {
 }  // namespace
 
 void draw_open_scene(const PanelContext& context) {
-  Session& session = context.edited;
-  Form& form = session.form;
+  const Session& session = context.session;
+  Form& form = context.memory.form;
   const bool is_new = form.belongs_to != Dialog::open_scene;
   const auto& scenes = shipped_scenes();
   if (is_new) {

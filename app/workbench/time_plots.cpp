@@ -115,7 +115,7 @@ void draw_head(const PanelContext& context, const Quantity& quantity, std::size_
 // One quantity; the time under the pointer, if it is there.
 std::optional<double> draw_plot(const PanelContext& context, const std::vector<PlotBucket>& buckets, std::size_t q,
                                 bool has_time_axis, ImVec2 size, float canvas) {
-  PlotView& view = context.edited.plots;
+  PlotView& view = context.memory.plots;
   if (!ImPlot::BeginPlot("##plot", size, quiet_plot)) return std::nullopt;
   set_up_time_axis(view, has_time_axis, size.x);
   const PlotRange range = range_of(buckets, q);
@@ -137,7 +137,7 @@ std::optional<double> draw_plot(const PanelContext& context, const std::vector<P
 }  // namespace
 
 void draw_time_plots(const PanelContext& context, const PlotHistory& history) {
-  PlotView& view = context.edited.plots;
+  PlotView& view = context.memory.plots;
   bring_times_into_sight(context, history);
   const PlotView before = view;
   const ImVec2 room = ImGui::GetContentRegionAvail();
