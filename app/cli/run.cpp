@@ -41,7 +41,6 @@
 #include "app/shell/session_file.h"
 #include "app/state/lesson_progress.h"
 #include "app/tools/doctor/diagnosis.h"
-#include "app/workbench/panel_catalog.h"
 #include "core/safety.h"
 #include "device/falcon/emergency_stop.h"
 #include "device/report/input_choice.h"

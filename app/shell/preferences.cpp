@@ -243,6 +243,14 @@ void apply(const Preferences& preferences, Session& session) {
   session.hint = preferences.offers_hints ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
+std::set<std::string, std::less<>> panels_folded_at_first(double height) {
+  std::set<std::string, std::less<>> folded;
+  for (const Panel& panel : panel_catalog()) {
+    if (height < panel.opens_from) folded.emplace(panel.title);
+  }
+  return folded;
+}
+
 void reset_preferences(Session& session, Window& window) {
   apply(Preferences{}, session);
   ++session.preference_resets;

@@ -56,6 +56,9 @@ struct WindowLayout {
   friend bool operator==(const WindowLayout&, const WindowLayout&) = default;
 };
 
+// The titles of the panels of the workbench that are folded at first in a window so high [points].
+std::set<std::string, std::less<>> panels_folded_at_first(double height);
+
 // To what a new person sees; the files follow (PreferenceKeeper).
 void reset_preferences(Session& session, Window& window);
 

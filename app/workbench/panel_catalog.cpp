@@ -44,12 +44,4 @@ std::span<const Panel> panel_catalog() noexcept {
   return panels;
 }
 
-std::set<std::string, std::less<>> panels_folded_at_first(double height) {
-  std::set<std::string, std::less<>> folded;
-  for (const Panel& panel : panels) {
-    if (height < panel.opens_from) folded.emplace(panel.title);
-  }
-  return folded;
-}
-
 }  // namespace ghostforce

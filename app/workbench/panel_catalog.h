@@ -1,10 +1,8 @@
 // The one list of the panels in the right column, from top to bottom. A new panel is its own file and one row.
 #pragma once
 
-#include <functional>
-#include <set>
 #include <span>
-#include <string>
+#include <string_view>
 
 #include "app/widgets/panel_context.h"
 
@@ -14,9 +12,6 @@ std::span<const Panel> panel_catalog() noexcept;
 
 // The title of the one that whoever asks for a circle wants to see.
 inline constexpr std::string_view passivity_panel = "Passivity";
-
-// The titles of those that are folded at first in a window so high [points].
-std::set<std::string, std::less<>> panels_folded_at_first(double height);
 
 // The panels themselves, a file each.
 void draw_live_values(const PanelContext& context);

@@ -1,3 +1,4 @@
+#include "app/shell/preferences.h"
 #include "app/shell/desktop/offscreen.h"
 
 #include <algorithm>
@@ -18,7 +19,6 @@
 #include "app/state/set_up_of.h"
 #include "app/state/stage_modes.h"
 #include "app/state/stiffness_probe_guide.h"
-#include "app/workbench/panel_catalog.h"
 #include "core/conventions.h"
 #include "core/hand_measurement.h"
 #include "core/simulate.h"

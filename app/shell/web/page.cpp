@@ -1,3 +1,4 @@
+#include "app/shell/preferences.h"
 #include "app/shell/web/page.h"
 
 #include <algorithm>
@@ -15,7 +16,6 @@
 #include "app/state/lesson_file.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/workbench/panel_catalog.h"
 #include "device/servo/servo_driver.h"
 #include "device/virtual_falcon/virtual_link.h"
 

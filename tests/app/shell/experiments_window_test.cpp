@@ -9,7 +9,7 @@
 
 #include <imgui_internal.h>
 
-#include "app/workbench/panel_catalog.h"
+#include "app/shell/preferences.h"
 #include "core/energy.h"
 #include "core/ghost_force.h"
 #include "tests/app/shell/experiments_window.h"

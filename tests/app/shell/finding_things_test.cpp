@@ -9,7 +9,6 @@
 #include "app/shell/preferences.h"
 #include "app/state/live_table.h"
 #include "app/state/undo.h"
-#include "app/workbench/panel_catalog.h"
 #include "app/workbench/status_bar.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"

@@ -8,6 +8,7 @@
 
 #include <imgui_internal.h>
 
+#include "app/shell/preferences.h"
 #include "app/picture/glossary.h"
 #include "app/state/measurement_guide.h"
 #include "app/workbench/panel_catalog.h"

@@ -7,13 +7,13 @@
 #include <numbers>
 #include <string_view>
 
+#include "app/shell/preferences.h"
 #include "app/files/png_writer.h"
 #include "app/picture/handles.h"
 #include "app/stage/hints.h"
 #include "app/state/scene_view_limits.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/caption.h"
-#include "app/workbench/panel_catalog.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
