@@ -200,7 +200,6 @@ void add_looks(Entries& entries) {
     entries.add(&Name::read_aloud, SwitchSpeech{true});
     entries.add(&Name::stop_reading_aloud, SwitchSpeech{false});
   }
-  entries.add(&Name::reset_preferences, OpenDialog{Dialog::reset_preferences});
 }
 
 void add_experiments(Entries& entries) {
@@ -237,6 +236,8 @@ std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopRead
   add_keys(entries);
   add_experiments(entries);
   add_lessons_and_scenes(entries);
+  // The last one: what it takes back is not to be found first by who looks for another reset.
+  entries.add(&Name::reset_preferences, OpenDialog{Dialog::reset_preferences});
   return std::move(entries.all);
 }
 
@@ -268,12 +269,14 @@ std::vector<std::string_view> words_in_line(std::string_view line) {
   return words;
 }
 
+constexpr int part_of_word = 3;
+
 // How far from what was meant: its first word, a word of it, one of its further words, a part of one. Empty: nowhere.
 std::optional<int> distance_of(std::string_view words, std::string_view also, std::string_view sought) {
   if (words.starts_with(sought)) return 0;
   if (has_word_with(words, sought)) return 1;
   if (has_word_with(also, sought)) return 2;
-  if (words.find(sought) != std::string_view::npos || also.find(sought) != std::string_view::npos) return 3;
+  if (words.find(sought) != std::string_view::npos || also.find(sought) != std::string_view::npos) return part_of_word;
   return std::nullopt;
 }
 
@@ -298,21 +301,29 @@ std::string folded(std::string_view text) {
 std::vector<std::size_t> find_in_palette(std::span<const PaletteEntry> entries, std::string_view sought) {
   const std::string line = folded(sought);
   const std::vector<std::string_view> wanted = words_in_line(line);
-  std::vector<std::tuple<int, bool, std::size_t>> found;  // in the order in which they are to be
+  struct Found {
+    std::tuple<int, bool, std::size_t> order;
+    bool is_part;  // something that was sought only stands within a word
+  };
+  std::vector<Found> found;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const std::string words = folded(entries[i].words);
     const std::string also = folded(entries[i].also);
     int sum = 0;
+    bool is_part = false;
     const bool has_all = std::ranges::all_of(wanted, [&](std::string_view each) {
       const std::optional<int> distance = distance_of(words, also, each);
       sum += distance.value_or(0);
+      is_part = is_part || distance == part_of_word;
       return distance.has_value();
     });
-    if (has_all) found.emplace_back(sum, !entries[i].refusal.empty(), i);
+    if (has_all) found.push_back({{sum, !entries[i].refusal.empty(), i}, is_part});
   }
-  std::ranges::sort(found);
+  // "fault" is not to find "default" where something is about faults.
+  if (!std::ranges::all_of(found, &Found::is_part)) std::erase_if(found, [](const Found& each) { return each.is_part; });
+  std::ranges::sort(found, {}, &Found::order);
   std::vector<std::size_t> numbers;
-  for (const auto& [distance, is_refused, number] : found) numbers.push_back(number);
+  for (const Found& each : found) numbers.push_back(std::get<std::size_t>(each.order));
   return numbers;
 }
 
