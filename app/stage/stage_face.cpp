@@ -143,6 +143,10 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
                          : filled(words.device_not_ready, front_keys().device_status.shown);
   }
+  if (loop.motors.state == SafetyState::arming && loop.motors.obstacle != ArmingObstacle::none) {
+    const auto& waits = stage_language(session.language).motors.waits;
+    return std::string(waits[static_cast<std::size_t>(loop.motors.obstacle) - 1]);
+  }
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }

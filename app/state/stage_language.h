@@ -26,6 +26,9 @@ static_assert(std::is_same_v<decltype(StageLanguage::strategy_buttons), PerStrat
 static_assert(std::tuple_size_v<decltype(StageLanguage::Motors::reasons)> ==
                   static_cast<std::size_t>(OffReason::fault) + 1,
               "assets/languages: motors have a word for each reason to be off");
+static_assert(std::tuple_size_v<decltype(StageLanguage::Motors::waits)> ==
+                  static_cast<std::size_t>(ArmingObstacle::focus),
+              "assets/languages: motors have a sentence for each thing that arming waits for");
 
 // English for a language that is not there.
 const StageLanguage& stage_language(std::string_view code) noexcept;

@@ -63,7 +63,10 @@ void draw_safety(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
   wrapped_text(words_about(motors));
   ImGui::PushFont(context.fonts.number, 0.0F);
-  wrapped_text(fmt::format("{:4.2f} of {:4.2f} N{:9}  {:4.2f} m/s", glm::length(motors.sent), motors.limit,
+  // What was sent last need not have arrived.
+  const std::string force =
+      motors.may_still_push ? fmt::format("{:>4}", "?") : fmt::format("{:4.2f}", glm::length(motors.sent));
+  wrapped_text(fmt::format("{} of {:4.2f} N{:9}  {:4.2f} m/s", force, motors.limit,
                            motors.is_saturated ? ", limited" : "", motors.handle_speed));
   ImGui::PopFont();
   tooltip("The force sent to the motors after all limits, the largest force allowed, and the speed of the handle.");

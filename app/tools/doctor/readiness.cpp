@@ -41,7 +41,7 @@ constexpr std::array steps{
     ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
                    "Use a USB port on the computer itself, without a hub, and close programs that keep it busy.", ""},
     ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
-                   "Not outside the wall", "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
+                   "In the wall", "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
     ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed", "Not armed",
                    "Hold the handle and press the button “Arm the motors”.", ""},
 };
@@ -193,7 +193,7 @@ class ReadinessCheck {
         state.words = fault.sentence;
         if (!report_.may_still_push) state.words.append(" ").append(fault.remedy);
       } else if (state.is_reached || has_failed) {
-        state.words = words(entry, state.is_reached);
+        state.words = words(entry, state);
       }
       states.push_back(std::move(state));
     }
@@ -233,7 +233,8 @@ class ReadinessCheck {
     return step == ReadinessStep::armed && !are_on(*motors_) && motors_->reason != OffReason::none;
   }
 
-  std::string words(const ReadinessEntry& entry, bool reached) const {
+  std::string words(const ReadinessEntry& entry, const ReadinessStepState& state) const {
+    const bool reached = state.is_reached;
     switch (entry.id) {
       case ReadinessStep::seen:
         if (!reached || report_.serial.text().empty()) break;
@@ -256,7 +257,7 @@ class ReadinessCheck {
         if (are_on(*motors_)) return "The handle was outside when the motors were armed.";
         break;
       case ReadinessStep::armed:
-        return armed_words(entry);
+        return armed_words(entry, state.is_current);
       default:
         break;
     }
@@ -280,7 +281,7 @@ class ReadinessCheck {
     return reached ? measured : fmt::format("{} {}", measured, entry.remedy);
   }
 
-  std::string armed_words(const ReadinessEntry& entry) const {
+  std::string armed_words(const ReadinessEntry& entry, bool is_current) const {
     switch (motors_->state) {
       case SafetyState::off:
       case SafetyState::fade: {
@@ -291,10 +292,13 @@ class ReadinessCheck {
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }
         if (report_.is_readable() && is_of_device(motors_->reason)) {
-          return fmt::format("The motors went off: {}. The device is well again: arm the motors.",
-                             entry_of(motors_->reason).title);
+          // Where a step before is still to come, that one says what to do.
+          return fmt::format("The motors went off: {}.{}", entry_of(motors_->reason).title,
+                             is_current ? " The device is well again: arm the motors." : "");
         }
-        if (report_.may_still_push) return fmt::format("The motors went off: {}.", entry_of(motors_->reason).title);
+        if (report_.may_still_push) {
+          return fmt::format("The motors were told to stop: {}.", entry_of(motors_->reason).title);
+        }
         return turned_off_words("The motors went off", entry_of(motors_->reason));
       }
       case SafetyState::arming:

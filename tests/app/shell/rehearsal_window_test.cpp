@@ -264,6 +264,18 @@ TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
   EXPECT_EQ(sentence().find("may still push"), std::string::npos) << sentence();
 }
 
+TEST_F(RehearsalWindow, TheStageSaysWhatArmingWaitsFor) {
+  get_ready();
+  lead_slowly(outside, inside);
+  session().face = Face::stage;
+  act(ArmMotors{});
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().obstacle == ArmingObstacle::inside_wall; }));
+  EXPECT_EQ(application_->stage_reading().sentence, "Arming: move the handle out of the wall.");
+  lead_slowly(inside, outside);
+  EXPECT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
+  EXPECT_EQ(application_->stage_reading().sentence.find("Arming"), std::string::npos);
+}
+
 TEST_F(RehearsalWindow, SaysThatASceneDoesNotFitTheWorkspace) {
   act(OpenScene{"fig1"});
   frames(5);

@@ -99,15 +99,23 @@ TEST(Readiness, SaysNothingElseToDoWhileTheMotorsMayStillPush) {
   EXPECT_TRUE(words.ends_with("The device was unplugged.")) << words;
   EXPECT_NE(words.find("unplug the device's power supply"), std::string::npos);
   const MotorReport motors{.has_motors = true, .reason = OffReason::unplugged};
-  EXPECT_EQ(readiness_of(report, &motors).back().words, "The motors went off: unplugged.");
+  EXPECT_EQ(readiness_of(report, &motors).back().words, "The motors were told to stop: unplugged.")
+      << "whether they obey is what nobody knows";
 }
 
 TEST(Readiness, SaysThatADeviceIsWellAgainInPlaceOfWhatToDoForIt) {
-  const MotorReport motors{.has_motors = true, .reason = OffReason::not_homed, .is_ready = true};
+  MotorReport motors{.has_motors = true,
+                     .reason = OffReason::not_homed,
+                     .is_handle_known = true,
+                     .is_ready = true,
+                     .is_outside_wall = true};
   const std::string words = readiness_of(well(), &motors).back().words;
   EXPECT_NE(words.find("not homed"), std::string::npos);
   EXPECT_NE(words.find("well again"), std::string::npos);
   EXPECT_EQ(words.find("Home it"), std::string::npos) << words;
+  motors.is_outside_wall = false;
+  EXPECT_EQ(readiness_of(well(), &motors).back().words, "The motors went off: not homed.")
+      << "first the handle must leave the wall";
 }
 
 TEST(Readiness, SaysThatAnotherDeviceMayStillPushWhileThisOneIsWell) {
