@@ -1,5 +1,5 @@
-// Which degrees of freedom a device can push: the split of the world into actuated and non-actuated subspaces. Only the
-// two projectors are needed, never the bases A and N themselves. Pure values, any thread.
+// Which degrees of freedom a device can push, and the two stiffness matrices that a strategy puts between device and
+// proxy. Pure values, any thread.
 #pragma once
 
 #include <span>
@@ -11,6 +11,8 @@
 
 namespace ghostforce {
 
+// The split of the world into actuated and non-actuated subspaces. Only the two projectors are needed, never the bases
+// A and N themselves.
 template <glm::length_t D>
 struct Actuation {
   Matrix<D> actuated;    // P_A = A Aᵀ [1]
@@ -42,8 +44,7 @@ Actuation<D> actuated_along(const Vector<D>& direction) noexcept {
   return actuated_along<D>(std::span<const Vector<D>>(&direction, 1));
 }
 
-// Coupling: the two stiffness matrices that a strategy puts between device and proxy. Pure values, any thread.
-
+// How stiffly a strategy ties the proxy to the device (tracking) and the device to the proxy (rendering).
 template <glm::length_t D>
 struct Coupling {
   Matrix<D> rendering;            // K_r, (5) [N/m]

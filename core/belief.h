@@ -1,5 +1,6 @@
-// What a belief about the hand's stiffness costs, at rest, and what to believe where nothing is known. Pure, any thread;
-// never allocates or throws. docs/theory.md, "What a wrong belief costs".
+// What a belief about the hand's stiffness costs at rest, what to believe where nothing is known, and how a belief
+// follows the hand that is measured. Pure functions and a plain value; any thread; never allocates or throws.
+// docs/theory.md, "What a wrong belief costs".
 #pragma once
 
 #include <cmath>
@@ -9,7 +10,7 @@
 
 namespace ghostforce {
 
-// The error of anisotropic rendering over that of the naïve one, under the same goal, for ghost force and drift alike [1]:
+// The error of anisotropic rendering over that of naïve rendering, under the same goal, for ghost force and drift [1]:
 //     R = (1 − 1/β) D₁ / (D₁ + κ (1 − α)/β),   D₁ = 1 + κα + ε
 // 0: none; 1: no better than naïve. Below 0: the belief is too low, and the error has the other sign.
 // `beta`: β = believed/true k_u; `alpha`: α = nᵀP_A n; `kappa`: κ = k_r/k_u; `epsilon`: ε = k_t/k_c.
@@ -39,20 +40,19 @@ inline double least_regret_ratio(double alpha, double k_r, double epsilon, const
 // The belief with which anisotropic rendering has that ratio for these settings and usual_hands [N/m].
 double least_regret_belief(const Settings& settings) noexcept;
 
-// BeliefFollower: lets the believed k_u follow the measured hand. It moves only where the hand is another than believed,
-// and never faster than the loop can take: raising ρ is always safe, and falling is at these rates (docs/theory.md,
-// "Letting ρ follow"). Where the hand is unknown it holds, and then glides to the belief of least regret. A plain value;
-// never allocates or throws; any one thread.
+// Lets the believed k_u follow the measured hand. It moves only where the hand is another than believed, and never
+// faster than the loop can take: raising ρ is always safe, and falling is at these rates (docs/theory.md, "Letting ρ
+// follow"). Where the hand is unknown it holds, and then glides to the belief of least regret.
 class BeliefFollower {
  public:
-  // It is asked this often [s].
+  // How often it is asked [s].
   static constexpr double period_s = HandEstimator::period_s;
   // Of ln ρ [1/s].
   static constexpr double greatest_rise = 3.0;
   static constexpr double greatest_fall = 1.0;
   // Nearer than this to what is aimed at, the hand is the same: of |ln(k̂/k)| [1].
   static constexpr double hysteresis = 0.1;
-  // For so long an unknown hand is taken to be the one that was known last [s].
+  // How long an unknown hand is taken to be the one that was known last [s].
   static constexpr double holds_s = 3.0;
 
   // What is believed when it begins [N/m].

@@ -59,9 +59,7 @@ using Vector = glm::vec<D, double, glm::defaultp>;
 template <glm::length_t D>
 using Matrix = glm::mat<D, D, double, glm::defaultp>;
 
-// What millimetres and degrees are in SI units: they exist in files, on the screen and in
-// published angles of devices (core/conventions.h).
-
+// For files, the screen and the published angles of devices.
 inline constexpr double mm_per_m = 1000.0;
 inline constexpr double radians_per_degree = std::numbers::pi / 180.0;
 inline constexpr double degrees_per_radian = 180.0 / std::numbers::pi;

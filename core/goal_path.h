@@ -1,4 +1,5 @@
-// A scripted hand: waypoints in time. Evaluated at t_k = k·dt, so a path has no memory and no drift.
+// A scripted hand: where it wants the device to be, and how stiff it is, as functions of model time. They are evaluated
+// at t_k = k·dt, so a path has no memory and no drift. Evaluating never allocates: the servo does it. SI units.
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,7 @@ enum class Motion : std::uint8_t {
   minimum_jerk,  // smooth start and stop at each waypoint, as a human hand moves
 };
 
+// Waypoints in time.
 struct GoalPath {
   std::vector<Vector<2>> points;  // [m], one or more
   std::vector<double> times;      // [s], strictly increasing from 0, one per point
@@ -29,7 +31,7 @@ inline double minimum_jerk(double s) noexcept {
 }
 
 // q_u(t) [m]. Holds the first point before, and the last one after, the path's times. The path must be valid (scene.h
-// checks it). Never allocates: the servo calls it.
+// checks it).
 inline Vector<2> goal_at(const GoalPath& path, double time_s) noexcept {
   const auto later = std::upper_bound(path.times.begin(), path.times.end(), time_s);
   if (later == path.times.begin()) return path.points.front();
@@ -41,8 +43,7 @@ inline Vector<2> goal_at(const GoalPath& path, double time_s) noexcept {
   return path.points[from] + progress * (path.points[to] - path.points[from]);
 }
 
-// A hand that grips harder and softer: its stiffness over model time, with nodes as a scripted hand has waypoints. Asking
-// it never allocates: the servo does.
+// The stiffness of a hand that grips harder and softer, with nodes as the goal has waypoints.
 struct StiffnessPath {
   std::vector<double> values;  // k_u [N/m]; empty: the hand is always as stiff as the settings say
   std::vector<double> times;   // [s], strictly increasing from 0, one per value
@@ -62,7 +63,7 @@ inline double stiffness_at(const StiffnessPath& path, double time_s) noexcept {
   return path.values[to - 1] + share * (path.values[to] - path.values[to - 1]);
 }
 
-// The same hand, seen by a clock that starts then. Allocates.
+// The path from `time_s` on, for a clock that starts there. Allocates.
 inline StiffnessPath path_since(const StiffnessPath& path, double time_s) {
   if (path.is_empty()) return {};
   StiffnessPath since{{stiffness_at(path, time_s)}, {0.0}};

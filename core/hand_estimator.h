@@ -1,6 +1,6 @@
 // HandEstimator: how stiff the hand is while it works, told by two small known tones in the motor's force
-// (measuring_tones.h). The wall pushes with a force that follows the handle's place, so that a hand that is only watched
-// looks like minus the wall; the tones tell the two apart, because everything that the motor gives is measured.
+// (measuring_tones.h). The wall pushes with a force that follows the handle's place, so that a hand that is only
+// watched looks like minus the wall; the tones tell the two apart, because everything that the motor gives is measured.
 //
 // Over the last T, along the motor, with X and F the Fourier sums of the handle's place x and of the motor's force f at
 // ω₁ = 2π·3/s and ω₂ = 2π·16/s (best parabola taken off, Hann's weights), a hand of mass, damping and spring has
@@ -13,7 +13,7 @@
 // Derivation, limits and tests: docs/theory.md, "The hand, measured live".
 //
 // k̂ is the stiffness at 3 Hz, along the motor. A plain value of fixed size: adding a sample takes the same short time
-// however long the window is, and allocates nothing. Any one thread. SI units.
+// however long the window is, and allocates nothing. Any one thread. SI units. HandReading tells other threads of it.
 #pragma once
 
 #include <array>
@@ -128,7 +128,7 @@ class HandEstimator {
   std::array<double, longest> cosine_{};       // of 2π i / length
   std::array<double, longest> sine_{};
   Bins ramp_{};      // Fourier sums of u = j − (length − 1)/2
-  Bins parabola_{};  // and of u²
+  Bins parabola_{};  // those of u²
 
   HandUnknown why_ = HandUnknown::collecting;  // it is not full
   HandSample before_{};
@@ -136,14 +136,14 @@ class HandEstimator {
   std::size_t silence_ = 0;                      // samples without a tone, up to now
   std::size_t in_average_ = 0;                   // samples in the sum that is averaged next
   std::size_t filled_ = 0;                       // averages in the window
-  std::size_t fresh_ = 0;                        // and in the fresh sums
+  std::size_t fresh_ = 0;                        // averages in the fresh moments
   std::size_t place_ = 0;                        // of the next average in the window
   std::array<std::size_t, bin_count> angles_{};  // bin times place, as an index of the tables
   Signal position_;
   Signal force_;
 };
 
-// HandReading: what the servo tells of the hand that it measures. Trivially copyable: it crosses threads whole.
+// What the servo tells of the hand that it measures. Trivially copyable: it crosses threads whole.
 struct HandReading {
   bool is_measuring = false;  // the tones are wanted
   double tone_gain = 0.0;     // how much of them sounds, 0 to 1

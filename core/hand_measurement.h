@@ -1,5 +1,6 @@
-// HandMeasurement: measures the hand tick by tick. Tones out, samples in, an estimate every HandEstimator::period_s. A
-// plain value of fixed size; never allocates or throws; any one thread. SI units, along the motor.
+// HandMeasurement: measures the hand tick by tick, at a real device or at a simulated one. Tones out, samples in, an
+// estimate every HandEstimator::period_s. A plain value of fixed size; nothing here allocates or throws; any one
+// thread. SI units, along the motor.
 #pragma once
 
 #include <cmath>
@@ -18,8 +19,7 @@
 
 namespace ghostforce {
 
-// Readings of a device that come later than after so many periods leave a gap: five are a tenth of a turn of the high tone
-// at 1 kHz.
+// Readings of a device that come later than this leave a gap [periods]: a tenth of a turn of the high tone at 1 kHz.
 inline constexpr double longest_gap_periods = 5.0;
 
 // Where samples come from: those of another axis, or of another device, do not continue those before.
@@ -49,7 +49,7 @@ class HandMeasurement {
     estimator_.reset(why);
     reading_.estimate = {.why = why};
   }
-  // The same, and what sounds falls silent at once: another run begins.
+  // Another run begins: what sounds falls silent at once, and nothing that was measured counts any more.
   void restart() noexcept {
     tones_.silence();
     reading_ = {};
@@ -86,11 +86,8 @@ class HandMeasurement {
   std::int64_t ticks_ = 0;  // since the newest estimate
 };
 
-// The tones on a simulated device, tick by tick, as the servo has them live (measuring_tones.h): what a burst of them would
-// tell of a scene's hand. Pure; any thread. SI units.
-
-// The next tick, with the tones on the active strategy's device. `coefficients`: of these settings. True: there is a new
-// estimate.
+// The next tick of a simulation, with the tones on the active strategy's device, as the servo has them live
+// (measuring_tones.h). `coefficients`: of these settings. True: there is a new estimate.
 inline bool tick_and_measure(const Settings& settings, const TickCoefficients<2>& coefficients, const Vector<2>& goal,
                              TickState<2>& state, HandMeasurement& measurement) noexcept {
   tick(coefficients, goal, state);
@@ -109,8 +106,8 @@ inline bool tick_and_measure(const Settings& settings, const TickCoefficients<2>
                          time_of(state.tick, settings.rate));
 }
 
-// How stiff the scene's hand is, if it holds still from that moment on with its devices at rest: measured until it is known,
-// or for so long.
+// What a burst of the tones tells of a scene's hand: how stiff it is, if it holds still from `from_s` on with its
+// devices at rest. Measures until it is known, or for `at_most_s`.
 HandEstimate measure_simulated_hand(const Scene& scene, double from_s, double at_most_s) noexcept;
 
 }  // namespace ghostforce

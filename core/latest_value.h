@@ -1,8 +1,5 @@
-// Wait-free exchange of the newest whole value between one writing and one reading thread (a triple buffer).
-//
-// One thread calls publish(), one thread calls latest(); neither ever waits, allocates or sees half a value. Values
-// that the reader was too slow for are overwritten: this carries state, not a log. Plain acquire and release, no
-// fences, so that ThreadSanitizer can check it.
+// LatestValue: wait-free exchange of the newest whole value between one writing and one reading thread (a triple
+// buffer); and copy_whole(), the fast copy that it is made with. Nothing here waits, allocates or throws.
 #pragma once
 
 #include <array>
@@ -14,10 +11,8 @@
 
 namespace ghostforce {
 
-// Copying a value of a few hundred bytes, as the servo does several times per tick. An assignment of that size becomes
-// `rep movs` with gcc, which takes ten nanoseconds to begin. Pure, never allocates or throws, any thread.
-
-// `to` = `from`, piece by piece; two different values.
+// `to` = `from`, piece by piece; two different values. The servo copies values of a few hundred bytes several times per
+// tick, and gcc turns an assignment of that size into `rep movs`, which takes ten nanoseconds to begin. Any thread.
 template <typename T>
 void copy_whole(const T& from, T& to) noexcept {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -29,6 +24,9 @@ void copy_whole(const T& from, T& to) noexcept {
   std::memcpy(target + whole_pieces, source + whole_pieces, sizeof(T) - whole_pieces);
 }
 
+// One thread calls publish(), one thread calls latest(); neither ever sees half a value. Values that the reader was too
+// slow for are overwritten: this carries state, not a log. Plain acquire and release, no fences, so that
+// ThreadSanitizer can check it.
 template <typename T>
 class LatestValue {
   static_assert(std::is_trivially_copyable_v<T>, "a value that crosses threads is copied whole, byte for byte");

@@ -1,5 +1,6 @@
 // The device in the hand, sampled: one implicit Euler step of mass, damping and the user's spring, with the rendered
-// force held from the tick before. Pure, never allocates or throws, any thread.
+// force held from the tick before; and what the renderer's encoder tells of the device. Pure, never allocates or
+// throws, any thread.
 #pragma once
 
 #include <cmath>
@@ -42,9 +43,8 @@ DeviceMotion<D> step(const SampledDevice& device, const DeviceMotion<D>& before,
   return {before.position + device.period * velocity, velocity};
 }
 
-// What a renderer knows of where the device is: an encoder counts steps. Pure, never allocates or throws, any thread.
-
-// The whole steps of each axis that are nearest to the device [m]. `step` [m]; 0: the device itself, to the last bit.
+// What a renderer knows of where the device is, because an encoder counts steps: on each axis the nearest whole number
+// of them [m]. `step` [m]; 0: the device itself, to the last bit.
 template <glm::length_t D>
 Vector<D> measured_position(double step, const Vector<D>& device) noexcept {
   if (step == 0.0) return device;

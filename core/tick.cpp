@@ -119,7 +119,7 @@ template <glm::length_t D>
   }
 }
 
-// Apart for the same reason as the tick.
+// Apart, so that a snapshot without an encoder costs no more.
 template <glm::length_t D>
 [[gnu::noinline]] void take_snapshot_through_encoder(const TickCoefficients<D>& coefficients, const TickState<D>& state,
                                                      SnapshotIn<D>& snapshot) noexcept {

@@ -1,5 +1,6 @@
-// One tick of the sampled-data loop, for all strategies under the same goal. noexcept, allocates nothing, takes no
-// lock, reads no clock: settings, state and reading come in as values, a snapshot goes out. Any thread.
+// One tick of the sampled-data loop, for all strategies under the same goal, and whether the loop has run away.
+// noexcept, allocates nothing, takes no lock, reads no clock: settings, state and reading come in as values, a snapshot
+// goes out. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -95,10 +96,29 @@ void tick_with_device(const TickCoefficients<D>& coefficients, StrategyId active
 template <glm::length_t D>
 SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickState<D>& state) noexcept;
 
-// The same, written to where it is wanted.
+// snapshot_of(), written to where it is wanted.
 template <glm::length_t D>
 void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
                    SnapshotIn<D>& snapshot) noexcept;
+
+// No device is farther away than this [m]; a scene lies within a metre.
+inline constexpr double farthest_device_m = 1000.0;
+
+// Whether the simulation has run away, so that it cannot continue from this state: some number in it is not finite, or
+// too large. Settings can make the sampled loop unstable; its numbers then grow without end.
+inline bool has_diverged(const TickState<2>& state) noexcept {
+  // A year and a half at the highest rate; far from where a tick number would overflow.
+  constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
+  const auto is_near = [](const Vector<2>& v) {  // false for NaN
+    return std::abs(v.x) <= farthest_device_m && std::abs(v.y) <= farthest_device_m;
+  };
+  return !(state.tick >= 0 && state.tick <= last_tick_ever && is_near(state.goal) &&
+           std::ranges::all_of(state.strategies, [&](const TickState<2>::StrategyState& strategy) {
+             return is_near(strategy.motion.position) && is_near(strategy.proxy) &&
+                    std::isfinite(strategy.motion.velocity.x) && std::isfinite(strategy.motion.velocity.y) &&
+                    std::isfinite(strategy.energy);
+           }));
+}
 
 // --- One strategy ----------------------------------------------------------------------------------------------------
 
@@ -126,8 +146,8 @@ Vector<D> force_of(const StrategyCoefficients<D>& coefficients, const StrategySt
   return rendered_force<D>(coefficients, state.proxy, state.motion.position);
 }
 
-// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`. The energy is the
-// rendering's alone: a tone is none of it.
+// The device has moved under the force held since the tick before, and the proxy belongs to `tracked`. The energy is
+// the rendering's alone: a tone is none of it.
 template <glm::length_t D>
 void move(const TickCoefficients<D>& coefficients, const Vector<D>& proxy_gain, const DeviceMotion<D>& motion,
           const Vector<D>& tracked, const Vector<D>& held_force, StrategyState<D>& state) noexcept {
@@ -156,27 +176,6 @@ void tick_strategy(const TickCoefficients<D>& coefficients, const StrategyCoeffi
   const Vector<D> held_force = rendered_force<D>(own, state.proxy, before);
   move<D>(coefficients, own.proxy_gain, step(coefficients.device, state.motion, goal, held_force + state.tone), before,
           held_force, state);
-}
-
-// Divergence: whether the simulation has run away, so that it cannot continue from its state. Settings can make the
-// sampled loop unstable; its numbers then grow without end. Pure, never allocates or throws, any thread.
-
-// No device is farther away than this [m]; a scene lies within a metre.
-inline constexpr double farthest_device_m = 1000.0;
-
-// Some number in it is not finite, or too large to continue from.
-inline bool has_diverged(const TickState<2>& state) noexcept {
-  // A year and a half at the highest rate; far from where a tick number would overflow.
-  constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
-  const auto is_near = [](const Vector<2>& v) {  // false for NaN
-    return std::abs(v.x) <= farthest_device_m && std::abs(v.y) <= farthest_device_m;
-  };
-  return !(state.tick >= 0 && state.tick <= last_tick_ever && is_near(state.goal) &&
-           std::ranges::all_of(state.strategies, [&](const TickState<2>::StrategyState& strategy) {
-             return is_near(strategy.motion.position) && is_near(strategy.proxy) &&
-                    std::isfinite(strategy.motion.velocity.x) && std::isfinite(strategy.motion.velocity.y) &&
-                    std::isfinite(strategy.energy);
-           }));
 }
 
 }  // namespace ghostforce

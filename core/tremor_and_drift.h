@@ -1,5 +1,6 @@
-// How a hand moves that means to hold still: it trembles, and it drifts. A function of model time and seed, added to the
-// goal. Plain values; never allocate or throw; any thread. SI units.
+// What a hand does by itself: one that means to hold still trembles and drifts, and one that moves on trembles too. A
+// function of model time and seed, added to the goal. Plain values, any thread; nothing allocates or throws but
+// simulated_hand(). SI units.
 #pragma once
 
 #include <cmath>
@@ -13,6 +14,7 @@
 
 namespace ghostforce {
 
+// How a hand moves that means to hold still.
 struct TremorAndDrift {
   double tremor_rms = 0.0;           // of each axis [m]
   NumberRange tremor_hz{8.0, 12.0};  // where its tremor is [Hz]
@@ -51,9 +53,6 @@ class TremorAndDriftMotion {
 };
 static_assert(std::is_trivially_copyable_v<TremorAndDriftMotion>);
 
-// A simulated hand: smooth motion between waypoints, and the tremor that every hand has. The same seed gives the same
-// hand on every machine. Pure; allocates, so not for the servo thread.
-
 // Physiological tremor: a hand held still shakes at 8 to 12 Hz, by a few tenths of a millimetre.
 struct Tremor {
   double rms = 0.0002;  // of each axis [m]
@@ -62,8 +61,9 @@ struct Tremor {
   std::uint64_t seed = 1;
 };
 
-// One waypoint per tick, from 0 to `duration_s`, both included: minimum jerk between the waypoints of `aim`, whatever
-// its own motion is, and then held; plus the tremor. `rate` [Hz].
+// A simulated hand as one waypoint per tick, from 0 to `duration_s`, both included: minimum jerk between the waypoints
+// of `aim`, whatever its own motion is, and then held; plus the tremor. The same seed gives the same hand on every
+// machine. `rate` [Hz]. Not for the servo thread.
 GoalPath simulated_hand(const GoalPath& aim, const Tremor& tremor, double duration_s, double rate);
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
-// WaveSum: random motion of the plane within a band of frequencies, as a sum of sines: any moment of it is known without
-// those before. A plain value; never allocates or throws; any thread. SI units.
+// WaveSum: random motion of the plane within a band of frequencies, as a sum of sines: any moment of it is known
+// without those before. RandomShares draws the waves. Plain values; never allocate or throw; any thread. SI units.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace ghostforce {
 
-// RandomShares: Steele, Lea and Flood's SplitMix64. The same numbers from the same seed on every machine: the
-// distributions of the standard library differ from one to another. A plain value; never allocates or throws.
+// Steele, Lea and Flood's SplitMix64. The same seed gives the same numbers on every machine; the distributions of the
+// standard library differ from one to another.
 class RandomShares {
  public:
   explicit RandomShares(std::uint64_t seed) noexcept : state_(seed) {}
@@ -53,7 +53,7 @@ struct WaveSum {
   }
 };
 
-// On each axis one wave in each of as many equal parts of the band [Hz]. `amplitude_of`: of a wave of that frequency [m].
+// On each axis one wave in each of `count` equal parts of the band [Hz]. `amplitude_of`: of a wave of a frequency [m].
 template <std::size_t count, typename AmplitudeOf>
 WaveSum<count> random_waves(const NumberRange& band, const AmplitudeOf& amplitude_of, RandomShares& random) noexcept {
   WaveSum<count> waves;

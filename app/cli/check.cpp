@@ -1,6 +1,7 @@
 // ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
 // Or, of lessons: says whether they can be read and done.
 #include <algorithm>
+#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -12,6 +13,7 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -33,7 +35,7 @@
 namespace ghostforce {
 namespace {
 
-// Returns how many steps are wrong.
+// Of one lesson. Returns how many of its steps are wrong.
 std::size_t print_findings(const Lesson& lesson, const std::string& shown, Lines& lines) {
   std::vector<std::string_view> languages;
   for (const auto& [language, words] : lesson.words) languages.push_back(language);
@@ -70,8 +72,8 @@ bool may_be_lesson(const std::string& word) {
   return std::ranges::find(shipped, word) != shipped.end() || (word.ends_with(".toml") && !is_case(word));
 }
 
-// Reads each as the window would, and prints what it finds, step by step. Returns an exit code: done; answer_is_no where
-// a step cannot be done; wrong_call or file_trouble where a lesson cannot be read.
+// Reads each as the window would, and prints what it finds, step by step. Returns an exit code: done; answer_is_no
+// where a step cannot be done; wrong_call or file_trouble where a lesson cannot be read.
 int check_lessons(const std::vector<std::string>& lessons) {
   Lines lines;
   ExitCode end = ExitCode::done;
@@ -100,13 +102,15 @@ struct CheckOptions {
   std::string folder;              // the former
   std::vector<std::string> only;
   std::vector<std::string> update;
+  bool updates = false;      // --update is there, with names or without
+  bool asks_nothing = false;  // --yes
   std::string report;
   int jobs = 1;
   bool json = false;
   std::optional<Renderer> renderer;
 
   // Whether there is nothing but paths.
-  bool is_plain() const { return only.empty() && update.empty() && report.empty() && jobs == 1 && !json && !renderer; }
+  bool is_plain() const { return only.empty() && !updates && report.empty() && jobs == 1 && !json && !renderer; }
 };
 
 // Where it cannot be read, that is said later.
@@ -149,13 +153,62 @@ void tell_of_leniency(const std::vector<Verdict>& verdicts) {
       count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
 }
 
+// Those that a new golden would mend. Says what is wrong with each that fails.
+std::vector<const Case*> failed_cases(const CheckOptions& options, const std::vector<Case>& cases, Lines& lines) {
+  const std::vector<const Case*> all = chosen_cases(cases, {}, "--update");
+  std::vector<const Case*> failed;
+  std::size_t done = 0;
+  Progress progress("checking", static_cast<std::int64_t>(all.size()), !lines.is_terminal());
+  evaluate_all(cases, all, {.folder = options.folder, .renderer = options.renderer}, [&](const Verdict& verdict) {
+    const Case* const checked = all[done++];
+    if (!verdict.passes) {
+      lines.write(fmt::format("FAIL {}  {}{}", quoted_text(verdict.name, longest_path), verdict.reason,
+                              verdict.remedy.empty() ? "; no new golden mends that" : ""));
+    }
+    if (!verdict.remedy.empty()) failed.push_back(checked);
+    progress.at(static_cast<std::int64_t>(done));
+  });
+  stop_if_interrupted();
+  return failed;
+}
+
+// The first line of the standard input; empty where there is none.
+std::string typed_line() {
+  std::string line;
+  for (char letter = 0; letter != '\n' && line.size() < 100;) {
+    wait_to_read(STDIN_FILENO);
+    const ssize_t count = read(STDIN_FILENO, &letter, 1);
+    stop_if_interrupted();
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (count <= 0) break;
+    if (letter != '\n') line += letter;
+  }
+  return line;
+}
+
+bool is_agreed(std::size_t count) {
+  say("Store new goldens for {} {}, after you have looked at what --report shows of {}? [y/N] ",
+      count == 1 ? "this" : "these", count == 1 ? "case" : fmt::format("{} cases", count), count == 1 ? "it" : "them");
+  const std::string line = typed_line();
+  return line == "y" || line == "Y" || line == "yes";
+}
+
 int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
-  for (const std::string& line :
-       update_goldens(cases, chosen_cases(cases, options.update, "--update"), options.renderer)) {
-    lines.write(line);
+  // CLI11 gives an option without its words the word "true".
+  const bool is_named = options.update != std::vector<std::string>{"true"} || find_case(cases, "true") != nullptr;
+  const std::vector<const Case*> chosen =
+      is_named ? chosen_cases(cases, options.update, "--update") : failed_cases(options, cases, lines);
+  if (chosen.empty()) {
+    lines.write("no case needs a new golden");
+    return static_cast<int>(ExitCode::done);
   }
+  if (!is_named && !options.asks_nothing && !is_agreed(chosen.size())) {
+    lines.write("nothing was stored; --yes stores without a question");
+    return static_cast<int>(ExitCode::answer_is_no);
+  }
+  for (const std::string& line : update_goldens(cases, chosen, options.renderer)) lines.write(line);
   return static_cast<int>(ExitCode::done);
 }
 
@@ -226,7 +279,7 @@ int check_any(CheckOptions& options) {
         "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
-  return options.update.empty() ? check(options) : update(options);
+  return options.updates ? update(options) : check(options);
 }
 
 }  // namespace
@@ -244,9 +297,13 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       files_read);
   CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("CASE");
   CLI::Option* const update_option =
-      command.add_option("--update", options->update, "Store new goldens for these cases, and check nothing")
+      command
+          .add_option("--update", options->update,
+                      "Store new goldens for these cases; without a name for all that fail, after a question")
           ->type_name("CASE")
+          ->expected(0, CLI::detail::expected_max_vector_size)
           ->excludes(only);
+  command.add_flag("--yes", options->asks_nothing, "Store them without a question")->needs(update_option);
   files.writes(command
                    .add_option("--report", options->report,
                                "Write report.html, junit.xml and the pictures of cases that fail into this folder")
@@ -281,6 +338,9 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  set = [\"wall.normal_deg=120\"]\n"
       "  mask = [[0, 0, 200, 40]]    # x, y, width, height of what is not compared, in pixels\n"
       "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
+      "  [expect]                    # numbers of the strategy, beside the picture\n"
+      "  ghost_force_N = 1.2728      # and force_N, proxy_drift_mm, energy_mJ\n"
+      "  tolerance = 1e-4            # default: 1e-6\n"
       "  [tolerance]                 # default: exact\n"
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
       "  share = 0.001               # share of the pixels that may differ by more\n"
@@ -295,8 +355,12 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  ghostforce check pictures --report report\n"
       "  ghostforce check pictures --jobs 4 --json\n"
       "  ghostforce check my-lesson.toml\n"
-      "  ghostforce check pictures --update wall45-naive");
-  return [options] { return check_any(*options); };
+      "  ghostforce check pictures --update wall45-naive\n"
+      "  ghostforce check pictures --update");
+  return [options, update_option] {
+    options->updates = update_option->count() > 0;
+    return check_any(*options);
+  };
 }
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
-// What a command of the program is, and what commands share. A new command is one file beside this one, one line
-// here and one row in command_catalog.cpp.
+// What a command of the program is, and what commands share: the scene, checks of what a person typed, and how a command
+// answers. A new command is one file beside this one, one line here and one row in command_catalog.cpp.
 #pragma once
 
 #include <cstdint>
@@ -26,18 +26,6 @@ class App;
 }
 
 namespace ghostforce {
-
-// The words that completion offers for an option's value, kept with the option. One that ends in '=' is not finished;
-// after one that ends in ':' comes a path.
-//
-// An option's value must be one of these words; if not, the nearest is named.
-CLI::Validator one_of(std::vector<std::string_view> words);
-
-// An option's value may be one of these words, or anything else.
-CLI::Validator suggests(const std::vector<std::string_view>& words);
-
-// Those of both, of all checks of the option.
-std::vector<std::string> offered_words(CLI::Option& option);
 
 // Adds options to `command`, those that name files to `files` too, and returns what runs once they are parsed; that
 // returns an exit code or throws Failure. Both outlive it.
@@ -79,12 +67,24 @@ struct SceneOptions {
   CLI::Option* option = nullptr;  // of the scene, once attached
 };
 
-// What is wrong with a word that a person typed, as a sentence; empty: nothing.
-using WordCheck = std::function<std::string(const std::string& word)>;
+// --- The values of options ---
+
+// An option's value must be one of these words, which completion offers; if it is not, the nearest is named.
+CLI::Validator one_of(std::vector<std::string_view> words);
+
+// An option's value may be one of these words, which completion offers, or anything else.
+CLI::Validator suggests(const std::vector<std::string_view>& words);
 
 // An option's value begins with a key of the scene and "=".
 enum class KeyKind : std::uint8_t { any, number };
 CLI::Validator suggests_keys(KeyKind kind);
+
+// The words that completion offers for the option's value: those of all its checks. One that ends in '=' is not
+// finished; after one that ends in ':' comes a path.
+std::vector<std::string> offered_words(CLI::Option& option);
+
+// What is wrong with a word that a person typed, as a sentence; empty: nothing.
+using WordCheck = std::function<std::string(const std::string& word)>;
 
 // An option's value must be a number between these, both ends included; `unit` is for the message. It lets no NaN
 // through.
@@ -92,25 +92,11 @@ WordCheck number_between(double least, double greatest, std::string unit);
 WordCheck whole_number_from(int least);
 WordCheck whole_number_between(int least, int greatest);
 
-// The option may be given again and again, with one value each time.
-CLI::Option* repeatable(CLI::Option* option);
-
-// Writes this to the standard output. Throws what OutputFile does.
-void print(std::string_view text);
-
-// Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
-// these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
-// they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.
-void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
-                  std::int64_t last, std::span<const StrategyId> ids);
-
 // An option's value "X,Y" in mm as a position [m]. Throws Failure(wrong_call).
 Vector<2> position_from_mm(std::string_view option, std::string_view text);
 
-// The exit codes of errors that know of none: files that were to be read. Pure, any thread.
-constexpr ExitCode exit_code_of(ReadError::Kind kind) noexcept {
-  return kind == ReadError::Kind::wrong ? ExitCode::wrong_call : ExitCode::file_trouble;
-}
+// The option may be given again and again, with one value each time.
+CLI::Option* repeatable(CLI::Option* option);
 
 // Options that make no sense beside another one.
 struct Contradiction {
@@ -122,6 +108,11 @@ struct Contradiction {
 // For the option with that name, which is given. Throws Failure(wrong_call) for the first of these that is given too.
 void refuse_contradictions(const CLI::App& command, std::string_view given,
                            std::span<const Contradiction> contradictions);
+
+// --- What a command says ---
+
+// Writes this to the standard output. Throws what OutputFile does.
+void print(std::string_view text);
 
 // The standard output, a line at a time. Who reads no further (head, less) still gets the exit code. Any one thread.
 class Lines {
@@ -141,5 +132,16 @@ class Lines {
   OutputFile output_{"-"};
   bool is_read_ = true;
 };
+
+// Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
+// these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
+// they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.
+void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
+                  std::int64_t last, std::span<const StrategyId> ids);
+
+// The exit code of an error that knows of none: of a file that was to be read. Pure, any thread.
+constexpr ExitCode exit_code_of(ReadError::Kind kind) noexcept {
+  return kind == ReadError::Kind::wrong ? ExitCode::wrong_call : ExitCode::file_trouble;
+}
 
 }  // namespace ghostforce

@@ -1,4 +1,5 @@
-// The program and its commands with all their options, as CLI11 parses them; made from command_catalog().
+// The program and its commands with all their options, as CLI11 parses them, made from command_catalog(); and the manual,
+// made from that. All of it allocates; not for the servo thread.
 #pragma once
 
 #include <functional>
@@ -46,7 +47,7 @@ struct HelpText {
 HelpText program_help_text();
 HelpText help_text_of(const CLI::App& command);
 
-// The program's manual (manual.h), from what its commands tell CLI11. Allocates; not for the servo thread.
+// The program's manual (manual.h), from what its commands tell CLI11.
 Manual program_manual();
 
 }  // namespace ghostforce

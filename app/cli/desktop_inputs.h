@@ -1,5 +1,6 @@
-// The inputs of the desktop: those of every system, and the hardware. What --input, the panel Input and `doctor` know.
-// Any thread; making an input allocates and may throw.
+// The inputs of the desktop: those of every system, and the hardware; what --input, the panel Input and `doctor` know.
+// With the options of the command line that are about a Falcon. Any thread, but for FalconSetUp: UI thread. Making an
+// input allocates and may throw.
 #pragma once
 
 #include <optional>
@@ -32,8 +33,8 @@ std::vector<InputEntry> simulated_inputs();
 EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
                         const EndOfRun& of_input);
 
-// FalconSetUp: the options of the command line that are about a Falcon, and what they make of the files that it needs.
-// Shared by the commands that drive one. UI thread.
+// The options of the command line that are about a Falcon, and what they make of the files that it needs. Shared by the
+// commands that drive one.
 struct FalconSetUp {
   std::string firmware;                // path; empty: where it usually is, see firmware_path()
   std::string usb_id;                  // VVVV:PPPP; empty: that of every Falcon

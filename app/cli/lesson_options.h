@@ -1,4 +1,4 @@
-// The options of a lesson: which one, and in which language.
+// The options that are about lessons: which one, in which language, and --kiosk, with which they go round for visitors.
 #pragma once
 
 #include <memory>
@@ -21,8 +21,8 @@ std::vector<std::string> files_of_lesson(const std::string& word);
 
 // --language, empty where it is not given. `usual_language`: what it is then, for the help.
 void attach_language(CLI::App& command, std::string& language, std::string_view usual_language);
-// The language that the person wants to read. `kept`: from an earlier run; empty: none. Throws Failure(wrong_call) where
-// neither the stage nor any of these lessons has the one that was asked for.
+// The language that the person wants to read. `kept`: from an earlier run; empty: none. Throws Failure(wrong_call)
+// where neither the stage nor any of these lessons has the one that was asked for.
 std::string language_wanted(const std::string& asked_for, const std::string& kept,
                             std::span<const std::shared_ptr<const Lesson>> lessons);
 
@@ -37,12 +37,11 @@ struct LessonOptions {
   std::string wanted(const std::string& kept, const std::shared_ptr<const Lesson>& lesson) const;
 };
 
-// --kiosk, the visitor's mode (app/state/kiosk_visit.h, docs/kiosk.md), and what cannot be asked for together with it.
-
 // What ends the visitor's mode, for the person at the terminal.
 inline constexpr std::string_view end_of_kiosk =
     "Visitor's mode: Ctrl+Alt+Shift+Q in the window ends it, and so does Ctrl+C here.";
 
+// --kiosk, the visitor's mode (app/state/kiosk_visit.h, docs/kiosk.md), and what cannot be asked for together with it.
 struct KioskOptions {
   bool is_on = false;
 

@@ -13,14 +13,13 @@
 
 namespace ghostforce {
 
-// What the stage says as lines of text, for screen readers and loggers: the sentence first, since that is what one
-// listens to, then the numbers as they stand on the stage. Columns are separated by tabs; what cannot be known, or is
-// hidden, is "-". The minus sign is ASCII's, which programs read. Any one thread.
-
-// The names of the columns, beginning with '#', with units. With its end of line.
+// The first of the lines that are printed for screen readers and loggers: the names of the columns, beginning with '#',
+// with units. Each line has its end of line.
 std::string printed_header();
 
-// `time_s`: of the moment that is shown, in the model's time. With its end of line.
+// What the stage says as a line of text: the sentence first, since that is what one listens to, then the numbers as they
+// stand on the stage. Columns are separated by tabs; what cannot be known, or is hidden, is "-". The minus sign is
+// ASCII's, which programs read. `time_s`: of the moment that is shown, in the model's time.
 std::string printed_line(const StageReading& reading, double time_s);
 
 // When there is a line to print: at most so many times a second, and only when something else than the time is new.

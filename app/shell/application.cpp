@@ -417,7 +417,7 @@ void Application::show_notice(std::string words, bool is_problem) {
   session_.notice = Notice{std::move(words), has_failed_, 0.0};
 }
 
-// Application: what guides the person through a lesson, or waits for a visitor, once a frame.
+// --- What guides the person through a lesson, or waits for a visitor, once a frame ---
 
 void Application::follow_lesson_in_session(double interval_s) {
   if (!session_.lesson) return;

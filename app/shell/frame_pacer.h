@@ -1,5 +1,5 @@
-// FramePacer: how long a window waits for the person between two looks at what there is to draw. Displays without vertical
-// sync would otherwise draw as fast as they can. Told the time, by any clock that does not go back [s]. UI thread.
+// The pace of the window and of the loop: FramePacer, when to look for something to draw, and LateTicks, how often the
+// loop came too late. They are told the time [s] and read no clock. UI thread.
 #pragma once
 
 #include <algorithm>
@@ -8,6 +8,8 @@
 
 namespace ghostforce {
 
+// How long a window waits for the person between two looks at what there is to draw. Displays without vertical sync would
+// otherwise draw as fast as they can. The time is that of any clock that does not go back.
 class FramePacer {
  public:
   explicit FramePacer(double now_s) : last_stir_s_(now_s) {}
@@ -41,13 +43,14 @@ class FramePacer {
   double last_stir_s_;
 };
 
-// LateTicks: how often the loop came too late, of what it counts since its thread was started. What happens while a device
-// is looked for or opened is left out. A value; it reads no clock.
+// How many ticks of the loop came too late, of those that the loop counts since its thread was started. What happens
+// while a device is looked for or opened is left out. A value.
 class LateTicks {
  public:
   explicit LateTicks(double lately_s) noexcept : lately_s_(lately_s) {}
 
-  // `counted`: the loop's own count by now; a smaller one than before is a new loop's. `interval_s`: since the last call.
+  // `counted`: the loop's own count by now; a smaller one than before is a new loop's. `interval_s`: since the last
+  // call.
   void note(std::uint64_t counted, bool is_opening, double interval_s);
 
   std::uint64_t all() const noexcept { return all_; }

@@ -1,6 +1,7 @@
 // InputLink: what the window does with the input in use, frame by frame, and what that input shows on the screen. The
 // servo owns the input; its link, made together with it, is the only one here that knows of which class it is. A new
-// input with something to show is a file for the input, a file for its link, and a row in each catalog. UI thread.
+// input with something to show is a file for the input, a file for its link, and a row in each catalog. A link is for the
+// UI thread; the lists of inputs are for any, and to make an input allocates and may throw.
 #pragma once
 
 #include <functional>
@@ -96,7 +97,7 @@ const InputEntry* find_input(std::span<const InputEntry> inputs, std::string_vie
 // The inputs as a person may choose among them. `has_recording`: one is loaded that can be replayed.
 std::vector<InputChoice> choices_of(std::span<const InputEntry> inputs, bool has_recording);
 
-// PointerLink: to an input whose goal the pointer of the window moves. UI thread.
+// To an input whose goal the pointer of the window moves.
 class PointerLink : public InputLink {
  public:
   PointerLink(PointerTarget& target, const Scene&, const InputOptions&) : target_(target) {}
@@ -111,9 +112,8 @@ class PointerLink : public InputLink {
   std::uint32_t restarts_ = 0;
 };
 
-// The inputs that need nothing but this program, each with its link: all of device/input_catalog.h. A link that is more
-// than a few lines is in a file of its own, which gives its row of the list. Any thread; making an input allocates and
-// may throw.
+// --- The inputs that need nothing but this program ---
+
 class FalconInput;
 struct FalconReport;
 
@@ -121,10 +121,11 @@ struct FalconReport;
 using ReadinessOf =
     std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
 
-// In the order in which people see them. `devices`: those that this front of the program adds, which come before what
-// rehearses them.
+// All of device/input_catalog.h, each with its link, in the order in which people see them. `devices`: those that this
+// front of the program adds, which come before what rehearses them.
 std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices = {});
 
+// A link that is more than a few lines is in a file of its own, which gives its row of the list.
 InputEntry circle_entry();
 InputEntry virtual_falcon_entry(const ReadinessOf& readiness_of);
 // Of a Falcon on whatever cable the maker gives it.

@@ -1,7 +1,8 @@
 // Keyboard: hands each key press to whom it is for: a field that somebody types into, the control that has the focus, or
 // the table of keys. One after another, so that many presses before a slow frame do the same as each before a frame of
 // its own: what a press has asked for is done before the next one is looked at, and a press that changes who gets the
-// next one makes that wait until the screen has followed. Between frames, UI thread.
+// next one makes that wait until the screen has followed. Between frames, UI thread. Which key was pressed, on whatever
+// keyboard, is found by pure functions, any thread.
 #pragma once
 
 #include <cstdint>
@@ -36,11 +37,10 @@ class Keyboard {
   std::uint32_t departures_ = 0;  // of visitors
 };
 
-// Which key was pressed, on whatever keyboard. Pure, any thread.
-
-// `key` is one of keys.h by its place on a US keyboard. `name` is what the layout has on it, in UTF-8; null: nothing.
+// The key that is meant. `key` is one of keys.h by its place on a US keyboard; `name` is what the layout has on it, in
+// UTF-8; null: nothing.
 //
-// Returns the one that is meant. By what is printed on the key where that is a letter, bracket, dot or minus:
+// By what is printed on the key where that is a letter, bracket, dot or minus:
 // Ctrl+Z is where the Z is. Otherwise by its place: the digits of a French keyboard, what no ASCII sign is printed on,
 // and the number pad. A plus of its own, as at ] of German and Spanish keyboards, is key::equal.
 int key_by_layout(int key, const char* name) noexcept;

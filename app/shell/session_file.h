@@ -1,5 +1,6 @@
-// A session as a file: how it began, and what the person did then, a line for each Action with its time. For bug reports,
-// tutorials and what a monkey did. docs/sessions.md describes the format. Not for the servo thread.
+// A session as a file: how it began, and what the person did then, a line for each Action with its time; and the recorder
+// that writes it. For bug reports, tutorials and what a monkey did. docs/sessions.md describes the format. Not for the
+// servo thread.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,7 @@ struct TimedAction {
 struct RecordedSession {
   SessionStart start;
   std::vector<TimedAction> actions;  // in their order
-  double end_s = 0.0;                // real time since the session began; where the file does not tell it, that of the last action
+  double end_s = 0.0;                // real time likewise; where the file does not tell it, that of the last action
 };
 
 // Lines of the file, each with its end.
@@ -54,8 +55,8 @@ RecordedSession read_session(std::string_view text, std::string_view shown_path)
 // Throws ReadError; Failure(interrupted).
 RecordedSession load_session(const std::string& path);
 
-// SessionRecorder: writes down what the person does, line by line as it comes: each is in the file before the Action is
-// done, so that the last line of a program that has crashed is what made it crash. UI thread.
+// Writes down what the person does, line by line as it comes: each is in the file before the Action is done, so that the
+// last line of a program that has crashed is what made it crash. UI thread.
 class SessionRecorder {
  public:
   // A new file. Throws Failure(file_trouble), also where there is one already.

@@ -1,5 +1,7 @@
 // A window with OpenGL and Dear ImGui in it: what all windows have in common. What a platform does is for a class of its
-// own: the desktop's GlfwWindow, on a display or offscreen. Main thread only, one at a time.
+// own: the desktop's GlfwWindow, on a display or offscreen. With the few things that all that is drawn in a window
+// agrees on: windows of Dear ImGui that stand still, and how much of them a picture shows. Main thread only, one window
+// at a time.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +22,11 @@
 
 namespace ghostforce {
 
-// How large a window is, and may be.
-
-// Smaller, and the bars have no room for their words [screen coordinates].
+// In a smaller window the bars have no room for their words [screen coordinates].
 inline constexpr int least_window_width = 480;
 inline constexpr int least_window_height = 360;
 
+// How large a window is.
 struct WindowSize {
   int width = 0;
   int height = 0;
@@ -46,8 +47,8 @@ class Window {
 
   virtual bool should_close() const = 0;
   virtual void close() = 0;
-  // From now on only close() closes it: neither its close button nor the desktop does, and it is not hidden when another
-  // window is in front of it.
+  // From now on only close() closes it: neither its close button nor the desktop does, and it is not hidden when
+  // another window is in front of it.
   virtual void stay_open() = 0;
   virtual void set_title(const std::string& title) = 0;
   // [screen coordinates]
@@ -122,8 +123,9 @@ class Window {
   // Dear ImGui is there from here to the end of ~Window(), so a platform's constructor may set its flags, and its
   // clipboard; it must not begin a frame.
   Window();
-  // In a platform's constructor, once OpenGL is current and loaded: Dear ImGui's drawing and the fonts. `takes_mouse` is
-  // false where no hover and no click may change a picture. Throws Failure where a font is missing; then it has not begun.
+  // In a platform's constructor, once OpenGL is current and loaded: Dear ImGui's drawing and the fonts. `takes_mouse`
+  // is false where no hover and no click may change a picture. Throws Failure where a font is missing; then it has not
+  // begun.
   void start_drawing(bool takes_mouse);
   // While OpenGL still is current: the destructor of a platform's window begins with it.
   void stop_drawing() noexcept;
@@ -136,8 +138,8 @@ class Window {
   virtual WindowSize framebuffer_size() const = 0;
   // Takes what keyboard and mouse did, by the functions below, waiting at most that long [s]; 0 or less: not at all.
   virtual void take_events(double wait_s) = 0;
-  // Before each of ImGui's frames: ImGuiIO's DisplaySize and DisplayFramebufferScale, and where the pointer is. The time
-  // between frames is set afterwards.
+  // Before each of ImGui's frames: ImGuiIO's DisplaySize and DisplayFramebufferScale, and where the pointer is. The
+  // time between frames is set afterwards.
   virtual void begin_imgui_frame() = 0;
   // Shows what was drawn on the framebuffer that was bound when the frame began.
   virtual void show_frame() = 0;
@@ -154,7 +156,8 @@ class Window {
   // that is not 0; `printed` is what the keyboard's layout has on it, in UTF-8, null where nothing is known. Modifiers
   // are those of that moment, with or without the one that is the key itself.
   void add_key_event(KeyPress press, const char* printed, bool is_down);
-  // A character was typed (Unicode): by the key that went down last, if it comes right after it, else by an input method.
+  // A character was typed (Unicode): by the key that went down last, if it comes right after it, else by an input
+  // method.
   void add_character(std::uint32_t character);
   // Paths of files that can be opened.
   void add_dropped_files(std::vector<std::string> paths);
@@ -171,9 +174,13 @@ class Window {
   Touch touch_;              // since the last take_touch
 };
 
-// Windows of Dear ImGui that stand still: the whole screen, and the pieces that it is divided into. Tab goes through all
-// pieces of a screen, in the order in which they are drawn.
+// What Dear ImGui calls one of keys.h; ImGuiKey_None where it has no name for it. Pure, any thread.
+ImGuiKey imgui_key(int key) noexcept;
 
+// --- What is drawn in it: windows of Dear ImGui that stand still ---
+
+// The whole screen is one, and so are the pieces that it is divided into. Tab goes through all pieces of a screen, in the
+// order in which they are drawn.
 inline constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 inline constexpr ImGuiWindowFlags fixed_bar = fixed_window | ImGuiWindowFlags_NoScrollWithMouse;
@@ -212,10 +219,5 @@ enum class Part : std::uint8_t {
 inline double text_scale_of(Face face, double scale, const Theme& theme) noexcept {
   return face == Face::stage ? 1.0 : scale * theme.thickness;
 }
-
-// What Dear ImGui calls a key. Pure, any thread.
-
-// Of one of keys.h; ImGuiKey_None where it has no name for it.
-ImGuiKey imgui_key(int key) noexcept;
 
 }  // namespace ghostforce

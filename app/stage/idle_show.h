@@ -1,4 +1,5 @@
-// IdleShow: left alone, the stage shows the slide by itself, until somebody touches it. UI thread.
+// IdleShow: left alone, the stage shows the slide by itself, until somebody touches it. UI thread. What it shows comes by
+// closed form, so that nothing of it reaches the simulation: StageShow, pure, any thread.
 #pragma once
 
 #include "app/state/session.h"
@@ -7,15 +8,14 @@
 
 namespace ghostforce {
 
-// What the stage shows by itself when nobody has touched it for a while: a hand goes into the wall, the handle slides,
-// the cure takes the ghost force away, and the hand comes back. By closed form, so that nothing of it reaches the
-// simulation. Pure, any thread.
+// One moment of the show.
 struct StageShow {
   Settings settings;  // with the strategy that is active in it
   StageMoment moment;
 };
 
-// `time_s`: since it began; it repeats itself.
+// A hand goes into the wall, the handle slides, the cure takes the ghost force away, and the hand comes back. `time_s`:
+// since the show began; it repeats itself.
 StageShow stage_show(const Scene& scene, const Settings& settings, double time_s);
 
 // In a lesson that waits for somebody: a hand goes from `goal` into the wall and comes back, again and again, under the

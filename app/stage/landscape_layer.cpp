@@ -209,7 +209,7 @@ void add_landscape(const LandscapeView& view, Marks& marks) {
   LandscapePainter(view, marks).compose();
 }
 
-// The landscape as a mode of the stage.
+// --- As a mode of the stage ---
 
 namespace {
 

@@ -15,6 +15,18 @@
 
 namespace ghostforce {
 
+// All that is needed to draw one picture of the landscape. Read only.
+struct LandscapeView {
+  const Settings& settings;
+  double dial;           // from 0, naïve, to 1: what anisotropic rendering runs with
+  bool has_every_motor;  // then there is no ghost force anywhere, and no dial
+  const StageLanguage& language;
+  const Theme& theme;
+  Camera camera;
+  double scale;  // UI scale, 1 is normal
+  const MeasureText& measure;
+};
+
 // In em: a line of text, from the highest to the lowest letter; and from the map's frame to its numbers, so that the
 // ring may stand on the frame.
 inline constexpr double line_height = 1.17;
@@ -34,6 +46,10 @@ struct LandscapeLayout {
 
 // `unit`: the UI scale times the theme's thickness. Pictures that are narrower than 4:3 have smaller letters.
 LandscapeLayout landscape_layout(const Vector<2>& size, double unit) noexcept;
+// As add_landscape() draws it.
+inline LandscapeLayout landscape_layout(const LandscapeView& view) noexcept {
+  return landscape_layout(view.camera.size, view.scale * view.theme.thickness);
+}
 
 // The nearest place on the map, for a set-up that lies beyond it.
 Vector<2> ring_at(const LandscapeLayout& layout, const LandscapePoint& point) noexcept;
@@ -47,22 +63,5 @@ double dial_under(const LandscapeLayout& layout, const Vector<2>& screen) noexce
 // What a press takes hold of. The ring comes to wherever on the map one presses.
 enum class LandscapeHandle : std::uint8_t { none, ring, dial };
 LandscapeHandle landscape_handle_under(const LandscapeLayout& layout, const Vector<2>& screen) noexcept;
-
-// LandscapeView: all that is needed to draw one picture of the landscape. Values, read only; any thread.
-struct LandscapeView {
-  const Settings& settings;
-  double dial;           // from 0, naïve, to 1: what anisotropic rendering runs with
-  bool has_every_motor;  // then there is no ghost force anywhere, and no dial
-  const StageLanguage& language;
-  const Theme& theme;
-  Camera camera;
-  double scale;  // UI scale, 1 is normal
-  const MeasureText& measure;
-};
-
-// Where things are, as add_landscape() draws them.
-inline LandscapeLayout landscape_layout(const LandscapeView& view) noexcept {
-  return landscape_layout(view.camera.size, view.scale * view.theme.thickness);
-}
 
 }  // namespace ghostforce

@@ -115,8 +115,8 @@ StageGuess lesson_guess(const Session& session) {
 
 namespace {
 
-// The set-up of the lesson that says most about it: one with an explanation or a map, else one in which the hand is in the
-// wall.
+// The set-up of the lesson that says most about it: one with an explanation or a map, else one in which the hand is in
+// the wall.
 const SetUp* telling_set_up(const Lesson& lesson) {
   const SetUp* found = nullptr;
   for (const LessonStep& step : lesson.steps) {

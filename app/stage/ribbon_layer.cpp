@@ -277,7 +277,7 @@ void add_ribbon(const Ribbon& ribbon, Marks& marks) {
   }
 }
 
-// The last minute as a mode of the stage: the scene as it was, and the ribbon below it.
+// --- As a mode of the stage: the scene as it was, and the ribbon below it ---
 
 namespace {
 

@@ -1,5 +1,5 @@
 // StageCanvas: draws on the stage in points of the window and keeps what is drawn as marks, whose places are in the
-// world. What a layer of the stage is handed. One thread.
+// world; and the names of the words that it places. What a layer of the stage is handed. One thread.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@
 
 namespace ghostforce {
 
-// StageLabel: the words of the stage. One thing has one set of words at a time.
+// The words of the stage. One thing has one set of words at a time.
 struct StageLabel {
   // In the order of their importance.
   enum Id : LabelId {

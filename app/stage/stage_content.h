@@ -1,4 +1,5 @@
-// StageContent: all that the stage is drawn from. Values, read only; any thread.
+// StageContent: all that the stage is drawn from, and StageFrame, from which a frame of it is made. Values, read only; any
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -80,7 +81,7 @@ struct StageContent {
   bool is_bare = false;   // the scene alone: no sentence, no large numbers, no buttons round it
 };
 
-// StageFrame: what a frame of the stage is made from. Refers to what others hold for as long as the frame lasts.
+// What a frame of the stage is made from. It refers to what others hold for as long as the frame lasts.
 struct StageFrame {
   const ShownMoment& shown;
   const History& history;

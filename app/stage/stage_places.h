@@ -1,5 +1,5 @@
-// StageLayout: where words, numbers, buttons and icons of the stage stand. Values; points of the window, y down; any
-// thread.
+// StageLayout: where words, numbers, buttons and icons of the stage stand, those of a lesson too; and StageMeasuring, what
+// the stage shows of measuring the hand. Values, read only; points of the window, y down; any thread.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace ghostforce {
 
-// StageMeasuring: what the stage shows of measuring the hand. Values, read only; any thread. SI units.
+// What the stage shows of measuring the hand. SI units.
 struct StageMeasuring {
   bool is_running = false;
   double filled = 0.0;  // of its ring, 0 to 1
@@ -32,13 +32,13 @@ struct StageMeasuring {
   bool has_trouble() const noexcept { return why != HandUnknown::none; }
 };
 
-// The words of its button, of which there are several: letters are as large with all of them.
+// The words of the button that has the hand measured, of which there are several: letters are as large with all of them.
 struct StageMeasuringButton {
   std::string words;
   std::string longest;
 };
 
-// LessonLayout: where the words and buttons of a lesson stand on the stage. Points of the window, y down; any thread.
+// Where the words and buttons of a lesson stand on the stage.
 struct LessonLayout {
   struct Button {
     ScreenBox box;
@@ -107,6 +107,7 @@ struct StageLayout {
   Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
 };
 
+// What the layout has to find room for.
 struct StageFrameWords {
   const StageLanguage& language;
   StageKeys keys;
@@ -118,9 +119,7 @@ struct StageFrameWords {
   const StageLesson* lesson = nullptr;              // null: there is none
 };
 
-// The buttons of the three strategies: how wide they are. Pure, any thread.
-
-// With its key and the strategy's shape before the words [points].
+// How wide the button of a strategy is, with its key and the strategy's shape before the words [points]. Pure.
 double strategy_button_width(std::string_view words, double unit, const StageLetters& letters,
                              const MeasureText& measure);
 

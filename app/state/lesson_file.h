@@ -1,4 +1,5 @@
-// Lessons as files; strict like a scene. docs/lessons.md describes the format. Not for the servo thread.
+// Lessons as files, and those that come with the program. Files are read strictly, like a scene's; docs/lessons.md
+// describes the format. Not for the servo thread.
 #pragma once
 
 #include <memory>
@@ -12,8 +13,10 @@
 
 namespace ghostforce {
 
-// Of the lessons that are part of the program, in the order of their numbers.
+// Of the lessons that come with the program, in the order of their numbers.
 std::vector<std::string_view> shipped_lesson_names();
+// These lessons in the same order, read once. Immutable, any thread.
+const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons();
 
 // A shipped lesson or a file. Throws ReadError: wrong where there is none, or where its text is wrong; unreadable.
 Lesson load_lesson(const std::string& name_or_path);
@@ -30,12 +33,7 @@ const LessonWords& words_in(const Lesson& lesson, std::string_view wanted);
 // Those that a person can ask for: the stage's own, and others of these lessons, which must outlive the answer.
 std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons);
 
-// The lessons that come with the program, read once. Immutable, any thread.
-
-// In the order of their numbers.
-const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons();
-
-// How many of its steps ask something.
+// How many of a lesson's steps ask something.
 std::size_t questions_of(const Lesson& lesson) noexcept;
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
 // What a person has done of each lesson, kept from one run to the next in lessons.toml of the state's folder
-// (app/files/xdg_folders.h). Not for the servo thread.
+// (app/files/xdg_folders.h); ProgressKeeper keeps that file up to date. Not for the servo thread.
 #pragma once
 
 #include <cstddef>
@@ -39,8 +39,7 @@ LessonProgress load_lesson_progress(std::vector<std::string>& remarks);
 // Whole or not at all. To reset it, save an empty one. Throws Failure(file_trouble).
 void save(const LessonProgress& progress);
 
-// Keeps what has been done of the lessons up to date in its file, beside other windows that do the same. Not for the
-// servo thread.
+// Keeps what has been done of the lessons up to date in its file, beside other windows that do the same.
 class ProgressKeeper {
  public:
   // `progress`: as it is stored.

@@ -1,5 +1,6 @@
-// The catalog of quantities that a task can be about: what each is called in files, and how it is read from what is
-// shown. A new one is an identifier in lesson.h and a row here. Pure, any thread.
+// The numbers of a lesson. The catalog of quantities that a task can be about: what each is called in files, and how it
+// is read from what is shown; a new one is an identifier in lesson.h and a row here. And the slider of a step, whose
+// values are in the file's unit. Pure, any thread.
 #pragma once
 
 #include <optional>
@@ -40,21 +41,19 @@ bool is_met(const LessonCondition& condition, const LessonReading& reading) noex
 // Whether all conditions of a task are met, with the strategy that it asks for.
 bool is_done(const LessonStep& task, const LessonReading& reading) noexcept;
 
-// The slider of a lesson's step: where its number is in the settings, where its knob stands, and what is said of it. Values
-// are in the file's unit. Pure, any thread.
-
-// Empty: the number is left to the program.
+// The slider's number in the settings; empty: it is left to the program.
 std::optional<double> slider_value(const LessonSlider& slider, const Settings& settings);
-// What lies beyond its ends becomes the nearer end.
+// The settings with another number. What lies beyond the slider's ends becomes the nearer end.
 Settings with_slider_value(const LessonSlider& slider, const Settings& settings, double value);
 
-// Along its length, 0 to 1, and back. Long ranges of positive numbers go by their logarithm.
+// Where the knob stands along the slider's length, 0 to 1, and back. Long ranges of positive numbers go by their
+// logarithm.
 double slider_share(const LessonSlider& slider, double value) noexcept;
 double slider_value_at(const LessonSlider& slider, double share) noexcept;
 
 // What the number is, where the language has words for it.
 std::string slider_words(const LessonSlider& slider, const StageLanguage& language);
-// With its unit.
+// The number with its unit.
 std::string slider_text(const LessonSlider& slider, double value);
 
 }  // namespace ghostforce

@@ -1,5 +1,6 @@
-// LessonReader: from TOML to a lesson. First the steps, then the words of each language, which must fit them. One use
-// each; used by lesson_file.h alone.
+// How the file of a lesson is read: what it calls its controls, secrets and questions, how long its words may be, and the
+// reader itself. The reader and the docs' test walk the same lists, which are immutable, any thread; a reader is for one
+// thread.
 #pragma once
 
 #include <array>
@@ -14,37 +15,7 @@
 
 namespace ghostforce {
 
-class LessonReader {
- public:
-  explicit LessonReader(std::string_view shown_path) : toml_(shown_path) {}
-
-  // Throws ReadError(wrong) with all that is wrong.
-  Lesson read(std::string_view text);
-
- private:
-  // What the words of a step are compared with.
-  struct StepFacts {
-    std::optional<TomlValue> right;        // of a choice: the number of the right answer
-    std::optional<std::size_t> answers{};  // how many there are in the language that is read first
-    bool knows_question = true;            // if not, nobody can say which words it needs
-  };
-
-  void read_steps(const TomlValue& steps);
-  void read_step(const TomlValue& table, LessonStep& step, StepFacts& facts);
-  void read_name(const TomlValue& value, LessonStep& step);
-  void read_language(std::string_view language, const TomlValue& table);
-  void read_step_words(const TomlValue& table, std::size_t number, LessonStepWords& words);
-  void compare_answers(const TomlValue& answers, std::size_t number, std::size_t count);
-
-  TomlReader toml_;
-  Lesson lesson_;
-  std::vector<StepFacts> facts_;  // of each step
-  std::string first_language_;
-};
-
-// What a lesson's file calls its controls, secrets and questions. The lists that the reader, the docs' test and `check`
-// walk. Immutable, any thread.
-
+// What a lesson's file calls something.
 template <typename Id>
 struct LessonWord {
   Id id;
@@ -79,5 +50,35 @@ inline constexpr std::size_t longest_lesson_answer = 32;
 inline constexpr std::size_t fewest_lesson_answers = 2;
 inline constexpr std::size_t most_lesson_answers = 3;
 inline constexpr std::size_t most_lesson_steps = 40;
+
+// From TOML to a lesson: first the steps, then the words of each language, which must fit them. One use each; used by
+// lesson_file.cpp alone.
+class LessonReader {
+ public:
+  explicit LessonReader(std::string_view shown_path) : toml_(shown_path) {}
+
+  // Throws ReadError(wrong) with all that is wrong.
+  Lesson read(std::string_view text);
+
+ private:
+  // What the words of a step are compared with.
+  struct StepFacts {
+    std::optional<TomlValue> right;        // of a choice: the number of the right answer
+    std::optional<std::size_t> answers{};  // how many there are in the language that is read first
+    bool knows_question = true;            // if not, nobody can say which words it needs
+  };
+
+  void read_steps(const TomlValue& steps);
+  void read_step(const TomlValue& table, LessonStep& step, StepFacts& facts);
+  void read_name(const TomlValue& value, LessonStep& step);
+  void read_language(std::string_view language, const TomlValue& table);
+  void read_step_words(const TomlValue& table, std::size_t number, LessonStepWords& words);
+  void compare_answers(const TomlValue& answers, std::size_t number, std::size_t count);
+
+  TomlReader toml_;
+  Lesson lesson_;
+  std::vector<StepFacts> facts_;  // of each step
+  std::string first_language_;
+};
 
 }  // namespace ghostforce

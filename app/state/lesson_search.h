@@ -27,15 +27,14 @@ TaskFinding examine_task(const LessonStep& task, const SetUp& start);
 // Where the handle comes to rest under the hand of a guess is in contact with the wall, and not where the ring begins.
 bool can_be_guessed(const LessonStep& guess, const SetUp& start);
 
-// What can be said of a lesson that was read, step by step: whether it can be done as it is meant. Not for the servo or
-// the UI thread (lesson_search.h).
+// What can be said of a step: whether it can be done as it is meant.
 struct LessonStepFinding {
   bool is_good = true;
   std::string words;    // "task: can be done, with …", or what is wrong and what to do
   std::string example;  // of a task: a set-up that does it, as a line; may be empty
 };
 
-// One per step.
+// One finding for each step.
 std::vector<LessonStepFinding> examine_lesson(const Lesson& lesson);
 
 // The languages of the stage that the lesson has no words in.

@@ -1,4 +1,5 @@
-// Where the guided measurement of the user stands (measurement_guide.h), as a value of the session. SI units.
+// Where the renderer's belief about the user comes from, and where the guided measurement of the user stands, which
+// measurement_guide.h leads. Values of the session. SI units.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +13,14 @@
 
 namespace ghostforce {
 
-// BeliefSource: where the k_u comes from that the renderer believes in. Part of the session.
+// Where the k_u comes from that the renderer believes in.
 enum class BeliefSource : std::uint8_t {
   typed,     // a person has set it, or it is the same as the hand's
   measured,  // by the guided measurement, or once on the stage
   live,      // tones on the motor measure the hand, and the belief follows: the servo alone changes it
 };
 
-// Which part of it is the person's own choice: a belief that follows the hand, and so changes by itself, is none.
+// The settings as far as they are the person's own choice: a belief that follows the hand changes by itself and is none.
 inline Settings chosen_settings(Settings settings, BeliefSource source) noexcept {
   if (source == BeliefSource::live) settings.stiffnesses.believed_k_u.reset();
   return settings;

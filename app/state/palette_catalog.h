@@ -1,5 +1,5 @@
 // The palette's catalog: every Action that a person finds by its words, in their language, with its key and with why it
-// cannot be done at the moment. Pure; UI thread.
+// cannot be done at the moment; and the search in it. Pure; UI thread.
 #pragma once
 
 #include <cstddef>
@@ -24,10 +24,9 @@ struct PaletteEntry {
 // Of this front, as things are.
 std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop);
 
-// Finds what somebody types among the palette's entries. Pure; any thread.
-
-// The entries' numbers. Each word that was typed must occur, in small or large letters, with or without accents. The
-// best match comes first, what can be done before what cannot, and then as in the catalog; without words, all.
+// The numbers of the entries in which what somebody has typed is found. Each word must occur, in small or large letters,
+// with or without accents. The best match comes first, what can be done before what cannot, and then as in the catalog;
+// without words, all. Any thread.
 std::vector<std::size_t> find_in_palette(std::span<const PaletteEntry> entries, std::string_view sought);
 
 // In small letters without accents.

@@ -1,4 +1,5 @@
-// What part of the world a person may look at: as much as a scene's file can hold. Pure, any thread.
+// What part of the world a person may look at, which is as much as a scene's file can hold; and the scene as it would be
+// saved with that view. Pure, any thread.
 #pragma once
 
 #include "app/picture/pane_views.h"
@@ -13,11 +14,9 @@ SceneView within_scene_limits(SceneView shown);
 // Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
 
-// The same of panes side by side: where the pointer is in one, all the others do likewise. `at`: in that pane.
+// Panes side by side are zoomed and moved together. `at`: under the pointer, in the pane that it is in.
 PaneViews zoomed(const PaneViews& views, double factor, StrategyId pane, const Vector<2>& at);
 PaneViews moved(const PaneViews& views, const Vector<2>& by);
-
-// Saving what is on the screen. UI thread.
 
 // The scene as it would have to be loaded to show what is seen now: settings as they are, the path's last waypoint
 // where the goal is, the view as it is.

@@ -1,6 +1,6 @@
-// Session: what the person at the window has loaded, changed and asked for. A value of the UI thread; what the person does
-// changes it (action.h, apply.h), and so does time; the application sends it on. Nothing in here knows
-// of a file, or of a device more than values that are told about it.
+// Session: what the person at the window has loaded, changed and asked for. What the person does changes it (action.h,
+// apply.h), and so does time; the application sends it on. Nothing in here knows of a file, or of a device more than
+// values that are told about it. LoopReading is what comes back from the loop. Values of the UI thread.
 #pragma once
 
 #include <array>
@@ -33,66 +33,23 @@
 
 namespace ghostforce {
 
-// StiffnessProbe: the stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until
-// it is known how stiff the hand is, or it gives up and says why. Only model time in the wall counts. As a value of
-// the session; stiffness_probe_guide.h leads it. SI units.
-struct StiffnessProbe {
-  enum class Stage : std::uint8_t { off, running, done };
-  // In the wall, without an answer.
-  static constexpr double gives_up_after_s = 6.0;
+// --- The parts of a session, in the order in which it has them ---
 
-  Stage stage = Stage::off;
-  double filled = 0.0;  // of the time that it takes, 0 to 1
-  // While it runs, what it waits for: no_contact, no_tones (the motors are off), none. Done: why nobody knows.
-  HandUnknown why = HandUnknown::none;
-  HandEstimate estimate{};               // done, and known
-  std::optional<HandEstimate> before{};  // the last one that was known before this one
-
-  bool has_left_wall = false;          // since it began
-  double given_k_u = 0.0;              // of the simulated hand that was measured [N/m]
-  double tried_s = 0.0;                // in the wall, since it began
-  std::optional<double> seen_s{};      // model time of the last look; empty: it has not begun yet
-  std::optional<double> pressing_s{};  // model time since which it is in the wall; empty: it is not
-
-  bool is_running() const noexcept { return stage == Stage::running; }
-  bool is_known() const noexcept { return stage == Stage::done && why == HandUnknown::none; }
+// What the person does on the stage.
+struct StageChoice {
+  StageMode mode = StageMode::none;
+  bool switches_slowly = false;             // the strategy was chosen with Shift, or by a clicker's step
+  std::optional<Vector<2>> guess{};         // of where the handle comes to rest, while predicting [m]
+  bool guess_is_open = true;                // it can still be moved, and the answer is hidden
+  std::uint32_t reveals_asked = 0;          // of the truth about the guess
+  int why_step = 0;                         // 1 to 4, of Why?; 0: not begun
+  std::optional<double> landscape_dial{};   // 0 naïve, 1 anisotropic, as it was dragged; empty: as the strategy has it
+  std::optional<double> looks_back_to_s{};  // the moment of the last minute that is shown, model time; empty: now
+  bool is_black = false;                    // the picture is hidden, as clickers do
+  std::optional<int> demo_step{};           // of the talk that a clicker goes through; empty: not begun
 };
 
-// PlotView: what of the plots a person looks at. Part of the session.
-enum class PlotTab : std::uint8_t { time, wall_angle, ratio, hand };
-
-// In proposed file names.
-constexpr std::string_view plot_tab_name(PlotTab tab) noexcept {
-  constexpr std::array<std::string_view, 4> names{"over-time", "over-wall-angle", "over-ratio", "hand-over-time"};
-  return names[static_cast<std::size_t>(tab)];
-}
-
-// What it shows has a time axis, and can be looked back at.
-constexpr bool is_over_time(PlotTab tab) noexcept {
-  return tab == PlotTab::time || tab == PlotTab::hand;
-}
-
-struct PlotView {
-  // What fits into the plots' memory at 1 kHz [s].
-  static constexpr double longest_span_s = 65.0;
-  static constexpr double shortest_span_s = 0.02;
-
-  bool is_open = false;
-  PlotTab tab = PlotTab::time;
-  bool follows = true;  // the newest tick is at the right edge
-  double from_s = 0.0;  // the times in sight; model time
-  double to_s = 4.0;
-  std::optional<double> cursor_s{};  // the time under the pointer
-
-  double span_s() const noexcept { return to_s - from_s; }
-  // Keeps the right edge.
-  void set_span(double span_s) noexcept { from_s = to_s - span_s; }
-};
-
-// LessonState: where a person is in a lesson, what they have answered, and what they had on the screen before. Part of the
-// session; lesson_guide.h is what changes it.
-
-// Of a step's question. Shown: the answer was given away, without a score.
+// How a step's question was answered. Shown: the answer was given away, without a score.
 enum class LessonOutcome : std::uint8_t { open, right, wrong, shown };
 
 struct LessonStepState {
@@ -104,6 +61,8 @@ struct LessonStepState {
   friend bool operator==(const LessonStepState&, const LessonStepState&) = default;
 };
 
+// Where a person is in a lesson, what they have answered, and what they had on the screen before. lesson_guide.h changes
+// it.
 struct LessonState {
   // The hand on its way to where a step wants it.
   struct Glide {
@@ -132,22 +91,7 @@ struct LessonState {
   Before before{};
 };
 
-// StageChoice: what the person does on the stage. Part of the session.
-struct StageChoice {
-  StageMode mode = StageMode::none;
-  bool switches_slowly = false;             // the strategy was chosen with Shift, or by a clicker's step
-  std::optional<Vector<2>> guess{};         // of where the handle comes to rest, while predicting [m]
-  bool guess_is_open = true;                // it can still be moved, and the answer is hidden
-  std::uint32_t reveals_asked = 0;          // of the truth about the guess
-  int why_step = 0;                         // 1 to 4, of Why?; 0: not begun
-  std::optional<double> landscape_dial{};   // 0 naïve, 1 anisotropic, as it was dragged; empty: as the strategy has it
-  std::optional<double> looks_back_to_s{};  // the moment of the last minute that is shown, model time; empty: now
-  bool is_black = false;                    // the picture is hidden, as clickers do
-  std::optional<int> demo_step{};           // of the talk that a clicker goes through; empty: not begun
-};
-
-// KioskVisit: the visitor's mode, in which lessons follow one another in a loop for whoever comes along. Part of the
-// session; kiosk_visit.h is what changes it.
+// The visitor's mode, in which lessons follow one another in a loop for whoever comes along. kiosk_visit.h changes it.
 struct KioskVisit {
   std::vector<std::shared_ptr<const Lesson>> lessons;  // one at least
   std::string language;                                // with which each visit begins
@@ -165,7 +109,36 @@ struct KioskVisit {
   }
 };
 
-struct PanelContext;
+enum class PlotTab : std::uint8_t { time, wall_angle, ratio, hand };
+
+// What a tab is called in proposed file names.
+constexpr std::string_view plot_tab_name(PlotTab tab) noexcept {
+  constexpr std::array<std::string_view, 4> names{"over-time", "over-wall-angle", "over-ratio", "hand-over-time"};
+  return names[static_cast<std::size_t>(tab)];
+}
+
+// What the tab shows has a time axis, and can be looked back at.
+constexpr bool is_over_time(PlotTab tab) noexcept {
+  return tab == PlotTab::time || tab == PlotTab::hand;
+}
+
+// What of the plots a person looks at.
+struct PlotView {
+  // What fits into the plots' memory at 1 kHz [s].
+  static constexpr double longest_span_s = 65.0;
+  static constexpr double shortest_span_s = 0.02;
+
+  bool is_open = false;
+  PlotTab tab = PlotTab::time;
+  bool follows = true;  // the newest tick is at the right edge
+  double from_s = 0.0;  // the times in sight; model time
+  double to_s = 4.0;
+  std::optional<double> cursor_s{};  // the time under the pointer
+
+  double span_s() const noexcept { return to_s - from_s; }
+  // Keeps the right edge.
+  void set_span(double span_s) noexcept { from_s = to_s - span_s; }
+};
 
 // How the screen looks; kept from one run to the next.
 struct Appearance {
@@ -179,6 +152,39 @@ struct Appearance {
   double arrow_scale = 1.0;  // of forces in the workbench's scene
 
   friend bool operator==(const Appearance&, const Appearance&) = default;
+};
+
+// The stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until it is
+// known how stiff the hand is, or the stage gives up and says why. Only model time in the wall counts.
+// stiffness_probe_guide.h leads it. SI units.
+struct StiffnessProbe {
+  enum class Stage : std::uint8_t { off, running, done };
+  // In the wall, without an answer.
+  static constexpr double gives_up_after_s = 6.0;
+
+  Stage stage = Stage::off;
+  double filled = 0.0;  // of the time that it takes, 0 to 1
+  // While it runs, what it waits for: no_contact, no_tones (the motors are off), none. Done: why nobody knows.
+  HandUnknown why = HandUnknown::none;
+  HandEstimate estimate{};               // done, and known
+  std::optional<HandEstimate> before{};  // the last one that was known before this one
+
+  bool has_left_wall = false;          // since it began
+  double given_k_u = 0.0;              // of the simulated hand that was measured [N/m]
+  double tried_s = 0.0;                // in the wall, since it began
+  std::optional<double> seen_s{};      // model time of the last look; empty: it has not begun yet
+  std::optional<double> pressing_s{};  // model time since which it is in the wall; empty: it is not
+
+  bool is_running() const noexcept { return stage == Stage::running; }
+  bool is_known() const noexcept { return stage == Stage::done && why == HandUnknown::none; }
+};
+
+// The circle test, as the person wants it.
+struct CircleTest {
+  CircleChoice choice;
+  std::string input_before{mouse_hand.name};  // to go back to
+  bool is_on = false;                         // a circle is the input in use
+  bool has_news = false;                      // its table has just appeared; who has brought it into sight clears it
 };
 
 // The window in front of the scene, if any.
@@ -214,12 +220,6 @@ struct Form {
   std::string suggestion;         // a path that may have been meant; empty: none is known
 };
 
-// What undo and redo would change, in words; empty: there is nothing.
-struct UndoOffer {
-  std::string undo;
-  std::string redo;
-};
-
 // One thing to tell the person.
 struct Notice {
   std::string words;
@@ -227,13 +227,13 @@ struct Notice {
   double age_s = 0.0;
 };
 
-// The circle test, as the person wants it.
-struct CircleTest {
-  CircleChoice choice;
-  std::string input_before{mouse_hand.name};  // to go back to
-  bool is_on = false;                         // a circle is the input in use
-  bool has_news = false;                      // its table has just appeared; who has brought it into sight clears it
+// What undo and redo would change, in words; empty: there is nothing.
+struct UndoOffer {
+  std::string undo;
+  std::string redo;
 };
+
+// --- The session ---
 
 struct Session {
   std::shared_ptr<const Scene> scene;                // as loaded; never null
@@ -293,6 +293,7 @@ struct Session {
   int ticks_through_history = 0;            // to look at the moment so many ticks later; negative: earlier
 };
 
+// As it begins with this scene.
 inline Session session_of(const Scene& scene) {
   Session session;
   session.scene = std::make_shared<const Scene>(scene);
@@ -303,11 +304,15 @@ inline Session session_of(const Scene& scene) {
   return session;
 }
 
-// Under which the newest tick ran: the settings, with a hand that may have changed since the run began. For what is said
+// The settings under which the newest tick ran, with a hand that may have changed since the run began. For what is said
 // about the present; what the person changes are the settings themselves.
 inline Settings settings_now(const Session& session) noexcept {
   return settings_at(*session.scene, session.settings, session.time_s);
 }
+
+// --- What the loop reports ---
+
+struct PanelContext;
 
 // The recording that is being made, or the last one.
 struct RecordingReading {

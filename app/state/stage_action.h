@@ -1,4 +1,5 @@
-// StageAction: what a press on a part of the stage asks for. Values, any thread.
+// StageAction: what a press on a part of the stage asks for, and the Action that it becomes. The button of the motors is
+// among them. Values, any thread; the functions are pure, UI thread.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +15,9 @@
 
 namespace ghostforce {
 
-// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the motors on or
-// off, the picker of lessons; the step before, the next step of the mode or the lesson that is on; the end of the lesson; its
-// next language; to move its slider; to measure the hand, or use what was measured.
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, a link to what is
+// shown, the motors on or off, the picker of lessons; the step before, the next step of the mode or the lesson that is
+// on; the end of the lesson; its next language; to move its slider; to measure the hand, or use what was measured.
 enum class StageCommand : std::uint8_t {
   keys,
   link,
@@ -36,16 +37,14 @@ enum class StageAnswer : std::uint8_t {};
 // What a press on a part of the stage asks for.
 using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
 
-// What is printed on the keys that do the same as some of the buttons: they are not the same keys in every front.
+// What is printed on the keys that do what some of the buttons do: they are not the same keys in every front.
 struct StageKeys {
   std::string_view lessons;
   std::string_view help;
   std::string_view link{};  // to what is shown; empty: there is no such thing here
 };
 
-// What the stage's buttons and the button of the motors ask for. Pure; UI thread.
-
-// Of a press on a part of the stage; empty: there is nothing to do, or it is dragged.
+// What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged.
 std::optional<Action> action_of_button(const StageAction& button, const MotorReport& motors);
 
 // The one button of the motors: reads why they are off, arms them, turns them off, or says what is missing. What it does

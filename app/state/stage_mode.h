@@ -1,5 +1,6 @@
-// The modes of the stage: further things to do there, each on one key. The one list that the keys, the strip of icons,
-// the command line and the tests walk. Immutable, any thread.
+// What the window can show: its two faces, and the modes of the stage, which are further things to do there, each on one
+// key. The one list of either that the keys, the strip of icons, the command line, files and the tests walk. Immutable,
+// any thread.
 #pragma once
 
 #include <array>
@@ -13,22 +14,7 @@
 
 namespace ghostforce {
 
-enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon, measure };
-
-struct StageModeEntry {
-  StageMode id;
-  std::string_view name;  // in files and on the command line
-  std::string_view key;   // as printed on it
-  StageLanguage::Mode StageLanguage::Modes::*words;
-};
-// Without `none`.
-std::span<const StageModeEntry> stage_mode_catalog() noexcept;
-// Empty when none has that name.
-std::optional<StageMode> find_stage_mode(std::string_view name) noexcept;
-std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
-
-// The two faces of the window: the stage, for who looks and plays, and the workbench, for who changes and measures. The one
-// list that the command line, files and the tests walk. Immutable, any thread.
+// The stage is for who looks and plays, the workbench for who changes and measures.
 enum class Face : std::uint8_t { stage, workbench };
 
 struct FaceEntry {
@@ -47,5 +33,19 @@ constexpr std::optional<Face> find_face(std::string_view name) noexcept {
   }
   return std::nullopt;
 }
+
+enum class StageMode : std::uint8_t { none, predict, why, landscape, round, ribbon, measure };
+
+struct StageModeEntry {
+  StageMode id;
+  std::string_view name;  // in files and on the command line
+  std::string_view key;   // as printed on it
+  StageLanguage::Mode StageLanguage::Modes::*words;
+};
+// Without `none`.
+std::span<const StageModeEntry> stage_mode_catalog() noexcept;
+// Empty when none has that name.
+std::optional<StageMode> find_stage_mode(std::string_view name) noexcept;
+std::string_view stage_mode_name(StageMode id) noexcept;  // "none" for none
 
 }  // namespace ghostforce

@@ -1,4 +1,5 @@
-// The beginning and the end of a mode of the stage, whoever asks for it. Edits the session; UI thread.
+// The beginning and the end of a mode of the stage, and of the circle test, whoever asks for it. Edits the session; UI
+// thread.
 #pragma once
 
 #include "app/state/session.h"
@@ -11,12 +12,9 @@ void leave_stage_mode(Session& session);
 
 inline constexpr int last_why_step = 4;
 
-// The circle test: another input leads the goal round a circle inside the wall, near to where the person had it; at the
-// end the goal is the person's again, and where it was. UI thread.
-
-// Does nothing while it is on.
+// In the circle test another input leads the goal round a circle inside the wall, near to where the person had it; at the
+// end the goal is the person's again, and where it was. To begin it does nothing while it is on.
 void begin_circle_test(Session& session);
-
 void end_circle_test(Session& session);
 
 // The circle that the goal goes round, or would.

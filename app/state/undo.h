@@ -1,5 +1,5 @@
-// Undo: every change of a setting or of the hand's goal can be taken back, and the opening of another scene too. A drag is
-// one change, and so are all the key presses that move the goal between two others. UI thread.
+// Undo: every change of a setting or of the hand's goal can be taken back, and the opening of another scene too. A drag
+// is one change, and so are all the key presses that move the goal between two others. UI thread.
 #pragma once
 
 #include <deque>
@@ -85,9 +85,8 @@ class UndoHistory {
   bool ends_in_nudge_ = false;  // the last change was the goal's, by keys: the next press belongs to it
 };
 
-// What a step of undo changes, in words for the button that takes it.
-
-// "k_r", "the strategy and the wall's angle", "opening “A wall at 45 degrees”"; never empty.
+// What a step of undo changes, in words for the button that takes it: "k_r", "the strategy and the wall's angle",
+// "opening “A wall at 45 degrees”"; never empty.
 std::string words_of_change(const UndoState& before, const UndoState& after);
 
 }  // namespace ghostforce

@@ -1,4 +1,5 @@
-// The drawer at the bottom with the plots, key F3, and the plots themselves.
+// The drawer at the bottom with the plots, key F3, and the plots themselves; and the choice of a language. Within an ImGui
+// frame, UI thread.
 #pragma once
 
 #include "app/picture/trail_history.h"
@@ -15,7 +16,7 @@ void draw_wall_angle_plots(const PanelContext& context);
 void draw_ratio_plots(const PanelContext& context);
 void draw_hand_plot(const PanelContext& context, const History& history);
 
-// The language of the stage and of lessons, one of the catalog. Within a frame, UI thread.
+// Lets the person choose the language of the stage and of lessons, one of the catalog.
 void draw_language_choice(const PanelContext& context);
 
 }  // namespace ghostforce

@@ -1,5 +1,5 @@
-// Pieces that several plots are made of: the house's look for ImPlot, a strategy's curve with its shape on it, a line
-// of words above a plot. Within an ImGui frame.
+// Pieces that several plots are made of: the house's look for ImPlot, a strategy's curve with its shape on it, and the time
+// axis of plots over time. Within an ImGui frame.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-// Sets ImPlot's style; together with apply_style() of panels/style.h.
+// Sets ImPlot's style; together with apply_style() of app/widgets/style.h.
 void apply_plot_style(const Theme& theme, float scale);
 
 inline constexpr ImPlotFlags quiet_plot = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;
@@ -34,7 +34,7 @@ void draw_strategy_curve(const PanelContext& context, StrategyId id, std::span<c
 // Marks of an axis, as many as have room on so many pixels, in the same words as those of charts. Before what is
 // plotted.
 void set_up_ticks(ImAxis axis, const PlotRange& range, float length, std::string_view unit);
-// The same with marks and words that are given, as many of the one as of the other.
+// With marks and words that are given, as many of the one as of the other.
 void set_up_ticks(ImAxis axis, std::span<const double> marks, std::span<const std::string> words);
 
 // An upright line in the accent's colour, across a plot; none where that lies outside. `thickness` in points.
@@ -56,19 +56,18 @@ void for_each_strategy(const PanelContext& context, Visit&& visit) {
   visit(active);
 }
 
-// The time axis of plots over time: which times are in sight, the time under the pointer, and the moment that somebody
-// looks back at. Within an ImGui frame; edits session.plots and session.stage.looks_back_to_s.
+// --- The time axis: the times in sight, the time under the pointer, the moment that somebody looks back at ---
 
 // Before the plots of a frame: the times in sight follow the newest tick, or hold the moment that is looked back at.
 void bring_times_into_sight(const PanelContext& context, const PlotHistory& history);
 
 // Within a plot, before what is plotted. `has_words`: its marks are named.
 void set_up_time_axis(PlotView& view, bool has_words, float width);
-// The same for the upright axis, which nobody can move.
+// The upright axis, which nobody can move.
 void set_up_value_axis(double least, double greatest, float height);
 
-// Within a plot, over what is plotted: draws the cursor, and looks back where somebody clicks. The time under the pointer,
-// if it is there.
+// Within a plot, over what is plotted: draws the cursor, and looks back where somebody clicks. Returns the time under the
+// pointer, if the pointer is there.
 std::optional<double> draw_time_cursor(const PanelContext& context);
 
 // After the plots: the cursor of the next frame, and whether somebody has dragged the times away from the newest.

@@ -1,4 +1,5 @@
-// How the wall is rendered: the three stiffnesses of the renderer and the ρ dial.
+// How the wall is rendered: the three stiffnesses of the renderer and the ρ dial; and which way the wall faces and the
+// device can push.
 #include <cmath>
 #include <limits>
 
@@ -48,8 +49,6 @@ void draw_rendering(const PanelContext& context) {
   draw_ratio_dial(context);
   end_rows();
 }
-
-// Which way the wall faces, and which way the device can push.
 
 void draw_wall_and_device(const PanelContext& context) {
   const Settings& settings = context.session.settings;

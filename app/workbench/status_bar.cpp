@@ -1,5 +1,5 @@
-// The bar at the bottom: who moves the goal, and which scene; what is not as it should be, and what to do about it; and the
-// ways to other scenes and to files.
+// The bar at the bottom: who moves the goal, and which scene; what is not as it should be, and what to do about it; and
+// the ways to other scenes and to files. Above it, why watched shaders do not compile.
 #include "app/workbench/status_bar.h"
 
 #include <algorithm>
@@ -146,7 +146,6 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
 }
 
 // What an author of shaders needs to see: what the driver said, and which line it meant.
-
 void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size) {
   const std::string_view problem = context.loop.shader_problem;
   if (problem.empty()) return;

@@ -16,6 +16,7 @@
 namespace ghostforce {
 namespace {
 
+// Signs that everybody knows, drawn because the font has none of them. `unit` is half a sign's height.
 void draw_play_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
   draw_list.AddTriangleFilled({middle.x - 0.7F * unit, middle.y - unit}, {middle.x + unit, middle.y},
                               {middle.x - 0.7F * unit, middle.y + unit}, colour);
@@ -28,7 +29,7 @@ void draw_pause_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 col
   }
 }
 
-// To the right, or mirrored.
+// A step to the right, or mirrored.
 void draw_step(ImDrawList& draw_list, ImVec2 middle, float unit, float side, ImU32 colour) {
   const float x = middle.x - side * unit;
   // The corners in the order that ImGui smooths the edges of.

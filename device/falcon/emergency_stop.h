@@ -1,5 +1,5 @@
-// The emergency stop: when the process is to end, motors are told to stop by the signal handler itself, before any thread
-// hears of it, or because no thread ever will (emergency_stop.h). One link per process has motors. Everything here is
+// The emergency stop: when the process is to end, motors are told to stop by the signal handler itself, before any
+// thread hears of it, or because no thread ever will. One link per process has motors. Everything here is
 // async-signal-safe, on any thread. In a page no process dies that leaves a device behind: there it is ordered only by
 // who calls it.
 #pragma once
@@ -20,8 +20,7 @@ bool is_ordered() noexcept;
 
 }  // namespace emergency_stop
 
-// What orders the emergency stop (emergency_stop.h) where a process may die: its signals, and its exit.
-
+// What orders the stop where a process may die: its signals, and its exit.
 namespace emergency_stop {
 
 // Makes every signal that would end the process stop the motors first, and then end the process as it would have. Not

@@ -1,5 +1,6 @@
-// FalconInput: a Falcon in the hand. Not armed, its handle is the user's goal and the device is simulated: the safe way
-// to start, and the way the mouse works. Armed, it is the device (servo.h).
+// FalconInput: a Falcon in the hand, and the plane of its workspace that the scene lies in. Not armed, its handle is
+// the user's goal and the device is simulated: the safe way to start, and the way the mouse works. Armed, it is the
+// device (servo.h).
 //
 // Made on the UI thread, then the servo thread's, but for report(). SI units, in the plane of the scene.
 #pragma once
@@ -20,12 +21,11 @@
 
 namespace ghostforce {
 
-// FalconPlane: the plane of the wall in a Falcon's workspace. Two of the device's axes span it; along the third the
-// handle is held by nothing. The middle of the workspace is the middle of the scene's view. [m], [N]; a plain value.
-
 // How far the handle reaches from the middle of the workspace in every direction [m].
 inline constexpr double workspace_radius = 0.05;
 
+// The plane of the wall in a Falcon's workspace. Two of the device's axes span it; along the third the handle is held
+// by nothing. The middle of the workspace is the middle of the scene's view. A plain value.
 class FalconPlane {
  public:
   // `view_center` in the scene [m].

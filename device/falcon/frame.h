@@ -1,6 +1,6 @@
 // Frame: 16 bytes between host and Falcon at run time, both ways. '<', three 16-bit numbers of four nibbles each (least
-// significant first, each + 'A'), two bytes of bits (+ 'A'), '>'. The device answers each frame with exactly one.
-// Pure values, any thread, never allocate or throw.
+// significant first, each + 'A'), two bytes of bits (+ 'A'), '>'. The device answers each frame with exactly one;
+// ReplyMatcher tells which of the answers belongs to which. Plain values; any one thread; never allocate or throw.
 #pragma once
 
 #include <array>
@@ -73,13 +73,11 @@ class FrameReader {
 extern template class FrameReader<CommandFrame>;
 extern template class FrameReader<ReplyFrame>;
 
-// ReplyMatcher: which command a reply belongs to. The device answers each frame with one frame, and a reply carries no
-// number: when one is lost, the next could be taken for it, and a late one for a fresh one. So replies are matched with
-// commands in their order, and a command that is given up keeps its place: its reply may still come. A reply that is
-// late then never looks younger than it is; after a loss it looks one exchange older. Once replies are fresh again, a
-// pause shows whether the one that was given up comes after all.
-//
-// A plain value; times in ns on one clock; the driver's thread; never allocates, throws or waits.
+// Which command a reply belongs to. A reply carries no number: when one is lost, the next could be taken for it, and a
+// late one for a fresh one. So replies are matched with commands in their order, and a command that is given up keeps
+// its place: its reply may still come. A reply that is late then never looks younger than it is; after a loss it looks
+// one exchange older. Once replies are fresh again, a pause shows whether the one that was given up comes after all.
+// Times in ns on one clock; never waits.
 class ReplyMatcher {
  public:
   // Commands that may be asked again without an answer to any of them.

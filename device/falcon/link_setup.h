@@ -1,5 +1,5 @@
-// How the chip is set up for a Falcon that runs its firmware, as scripts of the link (link_script.h): after opening it,
-// and after the device has been silent. Immutable, any thread.
+// What the Falcon's serial chip can be asked for, and how it is set up for a Falcon that runs its firmware, as scripts
+// of the link (link_script.h): after opening it, and after the device has been silent. Immutable, any thread.
 #pragma once
 
 #include <array>
@@ -9,8 +9,7 @@
 
 namespace ghostforce {
 
-// What the Falcon's serial chip can be asked for, by name: see FTDI's application note on vendor requests.
-
+// Requests by name: see FTDI's application note on vendor requests.
 namespace ftdi {
 
 inline constexpr VendorRequest forget_received{0x00, 0x0001, 0};  // of the device's bytes, in the chip
@@ -33,7 +32,7 @@ constexpr VendorRequest latency(std::uint16_t ms) noexcept {
 
 }  // namespace ftdi
 
-// Replies to commands that were given up may still come for so long.
+// How long replies to commands that were given up may still come.
 inline constexpr int late_replies_ms = 60;
 
 // DTR and RTS are left as they are: a device that runs may take their edge for a reset.
@@ -48,8 +47,8 @@ inline constexpr std::array set_up_link{
 };
 
 // For a device that does not answer: the stop at once, and again as soon as it can be understood, for the chip may have
-// been reset without leaving the bus and have lost the rate, and perhaps the format. What it has not sent by then may be
-// a force, and takes long at a low rate.
+// been reset without leaving the bus and have lost the rate, and perhaps the format. What it has not sent by then may
+// be a force, and takes long at a low rate.
 inline constexpr std::array stop_and_set_up_link_again{
     LinkScriptStep{.kind = LinkScriptStep::Kind::stop},
     ask(ftdi::running_rate),

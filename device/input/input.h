@@ -1,8 +1,9 @@
-// Input: something that knows where the hand wants the device to be.
+// What the servo asks while it ticks: an Input knows where the hand wants the device to be, and its HapticDevice, where
+// it has one, reads the handle and drives the motors. A PointerTarget is an input whose goal the window's pointer
+// moves.
 //
-// The window makes an input (input_catalog.h) and hands it to the servo, which owns it from then on. The functions
-// below belong to the servo thread: they never allocate, lock, wait, throw or open files. What a kind of input takes in
-// from other threads, it takes in as whole values (see MouseInput). SI units.
+// Input and HapticDevice belong to the servo thread: their functions never allocate, lock, throw, open files or, but
+// for HapticDevice::wait_until(), wait. SI units, in the plane of the scene.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,7 @@
 
 namespace ghostforce {
 
-// HapticDevice: what the servo needs of a device whose handle it can read and whose motors it can drive, in the plane
-// of the scene. The servo's thread; nothing here allocates, throws or, but for wait_until(), waits. SI units.
+// What a device tells of its handle and of itself.
 struct HandleReading {
   Vector<2> position{0.0};  // q_h [m]; where it was last known, if it is not known now
   double speed = 0.0;       // of the handle, in all its directions [m/s]
@@ -32,6 +32,7 @@ struct HandleReading {
   bool is_checked = true;  // nothing but the probe may be pushed with before
 };
 
+// What the servo needs of a device whose handle it can read and whose motors it can drive.
 class HapticDevice {
  public:
   HapticDevice() = default;
@@ -66,6 +67,8 @@ class HapticDevice {
   virtual void shut_down() noexcept = 0;
 };
 
+// Something that knows where the hand wants the device to be. The window makes it (input_catalog.h) and hands it to the
+// servo, which owns it from then on. What it takes in from other threads, it takes in as whole values (see MouseInput).
 class Input {
  public:
   Input() = default;
@@ -79,16 +82,15 @@ class Input {
   // q_u(t_k) [m], where t_k = k / rate; asked once per tick. `rate` in ticks per second of model time [Hz].
   virtual Vector<2> goal(std::int64_t tick, double rate) noexcept = 0;
 
-  // k_u of the hand in tick k [N/m], where a hand that changes moves the simulated devices, whoever says where to; asked
-  // once per tick. Empty: the settings say it.
+  // k_u of the hand in tick k [N/m], where a hand that changes moves the simulated devices, whoever says where to;
+  // asked once per tick. Empty: the settings say it.
   virtual std::optional<double> user_stiffness(std::int64_t /*tick*/, double /*rate*/) noexcept { return {}; }
 
   // The motors of this input; null: it has none. Then nothing that it does can be felt.
   virtual HapticDevice* haptic_device() noexcept { return nullptr; }
 };
 
-// PointerTarget: an input whose goal the pointer of the window moves. UI thread; nothing here waits, allocates or
-// throws.
+// An input whose goal the pointer of the window moves. UI thread; nothing here waits, allocates or throws.
 class PointerTarget {
  public:
   PointerTarget() = default;

@@ -1,6 +1,7 @@
-// GuardPage: the page of memory that a program with motors shares with its guard (motor_guard.h). The program tells that
-// it lives and what its motors may be doing; the guard tells what it has done about it. All of it is plain atomic memory:
-// neither side ever makes a system call for the other. Times in ns of CLOCK_MONOTONIC.
+// GuardPage: the page of memory that a program with motors shares with its guard (motor_guard.h), and how the guard is
+// called. The program tells that it lives and what its motors may be doing; the guard tells what it has done about it.
+// All of it is plain atomic memory: neither side ever makes a system call for the other. Times in ns of
+// CLOCK_MONOTONIC.
 #pragma once
 
 #include <array>
@@ -45,8 +46,8 @@ struct GuardPage {
 
   // The program's.
   std::atomic<std::int64_t> beat_ns{0};
-  std::atomic<bool> may_push{
-      false};  // a force was sent, by whomever, or is about to be, and no zero has been answered since
+  // A force was sent, by whomever, or is about to be, and no zero has been answered since.
+  std::atomic<bool> may_push{false};
   std::atomic<bool> has_ended{false};  // the guard is needed no more
 
   // The guard's.
@@ -58,7 +59,7 @@ struct GuardPage {
 static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<GuardState>::is_always_lock_free);
 
-// Without a beat for so long a program that may push is taken for dead: with the time to send, less than 25 ms [ns].
+// Without a beat for this long a program that may push is taken for dead: with the time to send, less than 25 ms [ns].
 inline constexpr std::int64_t longest_beat_gap_ns = 18'000'000;
 
 enum class GuardAction : std::uint8_t { watch, stop_motors, end };
@@ -68,7 +69,6 @@ GuardAction guard_action(bool has_ended, bool may_push, std::int64_t beat_ns, bo
                          std::int64_t now_ns) noexcept;
 
 // How a program calls its guard: ghostforce-guard NODE, with three files open.
-
 namespace guard_call {
 
 inline constexpr int device_descriptor = 3;    // the device's file, with its interface claimed

@@ -1,4 +1,5 @@
-// Something that can move the goal, as a person chooses it. Immutable, any thread.
+// What panels show of inputs: what can move the goal, as a person chooses it, and how far a device is from pushing.
+// Plain values, any thread.
 #pragma once
 
 #include <array>
@@ -8,6 +9,7 @@
 
 namespace ghostforce {
 
+// Something that can move the goal.
 struct InputChoice {
   std::string_view name;      // on the command line
   std::string_view title;     // on screen
@@ -27,8 +29,7 @@ inline constexpr InputChoice replayed_hand{"replay", "Replay",
 // They wait for nobody: no lesson can be done with them, and no visitor has a part in them.
 inline constexpr std::array hands_moving_by_themselves{scripted_hand, circling_hand, replayed_hand};
 
-// Readiness: what lies between a device in its box and one that pushes, step by step in the order in which they are
-// reached. Plain values, so that a panel may show them; app/tools/doctor/readiness.h finds them out.
+// What lies between a device in its box and one that pushes, in the order in which the steps are reached.
 enum class ReadinessStep : std::uint8_t {
   seen,
   allowed,
@@ -41,6 +42,7 @@ enum class ReadinessStep : std::uint8_t {
   armed,
 };
 
+// How a step stands, as app/tools/doctor/readiness.h finds it out.
 struct ReadinessStepState {
   ReadinessStep step = ReadinessStep::seen;
   std::string_view name;   // in JSON

@@ -1,5 +1,5 @@
-// ServoDriver: who makes a servo tick as time goes on. The window's program hands one in: a thread of its own on a desktop
-// (servo_thread.h), the frames themselves in a page, which has no threads (servo_driver.h). UI thread.
+// ServoDriver: who makes a servo tick as time goes on. The window's program hands one in: a thread of its own on a
+// desktop (servo_thread.h), the frames themselves in a page, which has no threads (FrameServoDriver). UI thread.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class ServoDriver {
   virtual void step(std::int64_t /*now_ns*/) noexcept {}
 };
 
-// FrameServoDriver: makes the ticks of each frame when the frame comes, for a program without threads. See
-// Servo::step_to() for what a device must be like. UI thread, which is the servo thread too.
+// Makes the ticks of each frame when the frame comes, for a program without threads: the UI thread is the servo thread
+// too. See Servo::step_to() for what a device must be like.
 class FrameServoDriver final : public ServoDriver {
  public:
   FrameServoDriver() = default;

@@ -1,6 +1,5 @@
-// ServoThread: the 1 kHz thread. It asks for real-time conditions first (ServoReport::realtime); with real-time priority
-// it spins through what is left before a deadline (servo_thread.h); a device paces it instead. On it our code never
-// allocates, locks, logs, throws, opens files or frees. UI thread, but for what runs on the thread itself.
+// ServoThread: the 1 kHz thread, with the wait for its deadlines (HybridSleep) and the record of how late it came to
+// them (LatencyHistogram). On it our code never allocates, locks, logs, throws, opens files or frees. Times in ns.
 #pragma once
 
 #include <algorithm>
@@ -16,8 +15,8 @@
 
 namespace ghostforce {
 
-// LatencyHistogram: how far behind their deadlines the ticks of a loop came, as a histogram, so that any percentile can
-// be read to 1/32 of itself. A value; never allocates, locks or throws. Times in ns; one thread.
+// How far behind their deadlines the ticks of a loop came: any percentile can be read to 1/32 of itself. A value; never
+// allocates, locks or throws; one thread.
 class LatencyHistogram {
  public:
   // What comes too soon is not late. More than 17 s counts as 17 s, except in worst_ns().
@@ -63,31 +62,10 @@ class LatencyHistogram {
   std::int64_t worst_ns_ = 0;
 };
 
-class ServoThread final : public ServoDriver {
- public:
-  ServoThread() = default;
-  ~ServoThread() override { ServoThread::stop(); }
-
-  // Changes nothing while it runs. Throws std::system_error.
-  void start(Servo& servo) override;
-  // Returns when the thread has ended: within Servo::command_period_s, and what its device takes to be let go.
-  void stop() noexcept override;
-
-  // How late the ticks came since start(). While the thread is stopped.
-  const LatencyHistogram& latency_histogram() const noexcept { return latency_histogram_; }
-
- private:
-  void run(Servo& servo) noexcept;
-
-  std::thread thread_;
-  std::atomic<bool> stopping_{false};
-  LatencyHistogram latency_histogram_;  // the thread's
-};
-
-// HybridSleep: waits for a deadline by sleeping until shortly before it and spinning the rest, which is more punctual
-// than a system that wakes threads late. How long before is learnt from how late it was woken. Only for threads that
-// cannot be preempted while they spin: among ordinary ones it makes things worse. A value that is told by its caller
-// what the time is and how to sleep. Never allocates, locks or throws; one thread; times in ns of CLOCK_MONOTONIC.
+// Waits for a deadline by sleeping until shortly before it and spinning the rest, which is more punctual than a system
+// that wakes threads late. How long before is learnt from how late it was woken. Only for threads that cannot be
+// preempted while they spin: among ordinary ones it makes things worse. A value that is told by its caller what the
+// time is, by CLOCK_MONOTONIC, and how to sleep. Never allocates, locks or throws; one thread.
 class HybridSleep {
  public:
   // Spinning never takes more than this share of the time, on average [1], …
@@ -151,6 +129,29 @@ class HybridSleep {
   std::int64_t longest_ns_ = 0;    // the margin at most
   double mean_overslept_ns_ = 0.0;
   std::int64_t margin_ns_ = 0;
+};
+
+// Asks for real-time conditions first (ServoReport::realtime). With real-time priority it spins through what is left
+// before a deadline; a device paces it instead. UI thread, but for what runs on the thread itself.
+class ServoThread final : public ServoDriver {
+ public:
+  ServoThread() = default;
+  ~ServoThread() override { ServoThread::stop(); }
+
+  // Changes nothing while it runs. Throws std::system_error.
+  void start(Servo& servo) override;
+  // Returns when the thread has ended: within Servo::command_period_s, and what its device takes to be let go.
+  void stop() noexcept override;
+
+  // How late the ticks came since start(). While the thread is stopped.
+  const LatencyHistogram& latency_histogram() const noexcept { return latency_histogram_; }
+
+ private:
+  void run(Servo& servo) noexcept;
+
+  std::thread thread_;
+  std::atomic<bool> stopping_{false};
+  LatencyHistogram latency_histogram_;  // the thread's
 };
 
 }  // namespace ghostforce

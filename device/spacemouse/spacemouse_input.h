@@ -1,8 +1,6 @@
-// The hand on a SpaceMouse: the newest reading, from whoever reads the device, moves the goal (spacemouse_input.h). A
-// thread does it on a desktop (device/spacemouse), the browser in a page. SI units.
-//
-// set(), reading() and the constructor belong to the UI thread, publish() to who reads the device, restart() and goal()
-// to the servo thread; none waits or throws.
+// The hand on a SpaceMouse: how its cap moves the goal (SpaceMouseMotion), and the input that does it with the newest
+// reading (SpaceMouseInput), from whoever reads the device: a thread on a desktop (hid_spacemouse_input.h), the browser
+// in a page. Nothing here waits or throws. SI units.
 #pragma once
 
 #include <array>
@@ -15,12 +13,6 @@
 
 namespace ghostforce {
 
-// How the cap of a SpaceMouse moves the goal. Its sideways axis is x; y is lifting it, or pushing it away. Either the
-// goal is as far from its place of rest as the cap is deflected, or it goes as fast. Whatever happens (late reports, a
-// change of mode, a device that goes and comes back), the goal never moves faster than fastest_m_s, and it stays where
-// it is while there is no device, or one that has gone silent. Stepped once per tick; allocates and throws nothing; one
-// thread. SI units.
-
 // Whether all numbers are finite, the dead zone less than 1, and none negative.
 bool is_valid(const SpaceMouseSettings& settings) noexcept;
 
@@ -28,6 +20,10 @@ bool is_valid(const SpaceMouseSettings& settings) noexcept;
 // deflection starts from 0: no step there, and no direction is lost.
 Vector<2> deflection(const std::array<double, 6>& axes, const SpaceMouseSettings& settings) noexcept;
 
+// The cap's sideways axis is x; y is lifting it, or pushing it away. Either the goal is as far from its place of rest
+// as the cap is deflected, or it goes as fast. Whatever happens (late reports, a change of mode, a device that goes and
+// comes back), the goal never moves faster than fastest_m_s, and it stays where it is while there is no device, or one
+// that has gone silent. Stepped once per tick; allocates nothing; one thread.
 class SpaceMouseMotion {
  public:
   static constexpr double farthest_m = 1.0;   // goals lie within ± this on each axis
@@ -54,6 +50,8 @@ class SpaceMouseMotion {
   SpaceMouseSettings::Mode mode_ = SpaceMouseSettings::Mode::position;
 };
 
+// set(), reading() and the constructor belong to the UI thread, publish() to who reads the device, restart() and goal()
+// to the servo thread.
 class SpaceMouseInput : public Input {
  public:
   explicit SpaceMouseInput(const SpaceMouseSettings& settings = {});

@@ -1,5 +1,6 @@
-// What a SpaceMouse says, report by report. Older ones send translation and rotation in reports of their own, newer
-// ones all six axes in one; its length tells which one it is. Pure values, any thread; never allocates or throws.
+// What a SpaceMouse says, report by report, and which HID devices are one. Older ones send translation and rotation in
+// reports of their own, newer ones all six axes in one; its length tells which one it is. Pure values, any thread;
+// never allocates or throws.
 #pragma once
 
 #include <array>
@@ -22,13 +23,11 @@ struct SpaceMouseState {
 
 // Takes over what this report says, its number first. False, and nothing changes: the report is not known here.
 bool take_report(std::span<const std::uint8_t> report, SpaceMouseState& state) noexcept;
-// The same, of a report that comes with its number apart, as from a browser.
+// Of a report that comes with its number apart, as from a browser.
 bool take_report(std::uint8_t number, std::span<const std::uint8_t> bytes, SpaceMouseState& state) noexcept;
 
 // Axes and buttons of the reading become these: full deflection is 1.
 void show(const SpaceMouseState& state, SpaceMouseReading& reading) noexcept;
-
-// Which HID devices are a SpaceMouse, by what a system or a browser tells of them. Pure values, any thread.
 
 // Numbers that USB and its HID class give.
 inline constexpr std::uint16_t logitech_vendor = 0x046D;  // made them until 2013, and makes other mice
@@ -71,7 +70,8 @@ constexpr bool has_multi_axis_collection(std::string_view descriptor) noexcept {
   return false;
 }
 
-// One device shows itself several times: a receiver, for instance, is a keyboard too.
+// Whether a HID device is a SpaceMouse, by what the system tells of it. One device shows itself several times: a
+// receiver, for instance, is a keyboard too.
 constexpr bool is_spacemouse(std::uint16_t vendor, std::string_view descriptor) noexcept {
   return (vendor == logitech_vendor || vendor == connexion_vendor) && has_multi_axis_collection(descriptor);
 }

@@ -5,7 +5,7 @@
 // back.
 //
 // What it does is what was seen on real devices; where that leaves something open it is strict, so that a driver that
-// works here keeps to what is known to work.
+// works here keeps to what is known to work. FixedQueue holds the bytes that are on their way.
 #pragma once
 
 #include <array>
@@ -19,8 +19,7 @@
 
 namespace ghostforce {
 
-// FixedQueue: first in, first out, in a place of fixed size; never allocates. One thread.
-
+// First in, first out, in a place of fixed size.
 template <typename T, std::size_t Capacity>
 class FixedQueue {
  public:
@@ -83,8 +82,8 @@ class FalconDsp {
   // Returns the packet's size, status bytes included; 0: none is due.
   std::size_t take_packet(std::span<std::uint8_t, packet_size> into, std::int64_t now_ns) noexcept;
 
-  // The USB chip has been without power, which comes through the cable: all that it was told is forgotten. The DSP has a
-  // supply of its own and goes on, as do its motors.
+  // The USB chip has been without power, which comes through the cable: all that it was told is forgotten. The DSP has
+  // a supply of its own and goes on, as do its motors.
   void power_up_chip(std::int64_t now_ns) noexcept;
 
   // Lets happen what happens by itself: bytes arrive, the watchdog acts.

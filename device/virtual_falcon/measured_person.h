@@ -1,5 +1,5 @@
-// MeasuredPerson: the person at the virtual Falcon while it is measured. Does with the simulated hand what it is asked
-// to, and answers what the ruler, the scales and the light would tell. Same thread as the link's. SI units.
+// What a person is asked to do with a Falcon while it is measured (OperatorAction), and the simulated person who does
+// it with the virtual one (MeasuredPerson). SI units.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace ghostforce {
 
-// OperatorAction: what a person is asked to do with the Falcon while it is measured, as a value: the words for it
-// are the caller's, and a simulated person can do it too. [m], [N]; device frame: x right, y up, z out towards the person.
+// What to do, as a value: the words for it are the caller's, and a simulated person can do it too. Device frame: x
+// right, y up, z out towards the person.
 struct OperatorAction {
   enum class Kind : std::uint8_t {
     read_on,       // nothing
@@ -30,15 +30,17 @@ struct OperatorAction {
 
   Kind kind = Kind::read_on;
   Vector<3> place = workspace_center;
-  double weight = 0.0;
+  double weight = 0.0;       // [N]
   std::uint8_t buttons = 0;  // as in ReplyFrame
 };
 
+// Does with the simulated hand what is asked for, and answers what the ruler, the scales and the light would tell. Same
+// thread as the link's.
 class MeasuredPerson {
  public:
   struct Habits {
     double grip = 150.0;      // how stiff the hand is [N/m]
-    double fingertip = 15.0;  // and one finger of it
+    double fingertip = 15.0;  // how stiff one finger of it is [N/m]
     double weight = 50.0;     // what there is to hang on the handle, as scales tell it [g]
     double ruler_step = 0.5;  // what the ruler is read to [mm]
   };

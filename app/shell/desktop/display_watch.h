@@ -1,7 +1,5 @@
-// DisplayWatch: hears from an X server at once what becomes of a window, however long the window's own thread is busy:
-// another client takes the keyboard, destroys the window, or the server ends. It has a connection and a thread of its
-// own. GLFW tells none of this: it passes over keyboard grabs and destroyed windows, and Xlib tells of a server's end
-// only whoever calls it.
+// The display goes away while the window is open: DisplayWatch finds out, and the functions below end the program in good
+// order. UI thread, but for what says otherwise.
 #pragma once
 
 #include <atomic>
@@ -16,8 +14,13 @@ struct xcb_connection_t;
 
 namespace ghostforce {
 
+// What has been lost.
 enum class DisplayLoss : std::uint8_t { none, window, server };
 
+// Hears from an X server at once what becomes of a window, however long the window's own thread is busy: another client
+// takes the keyboard, destroys the window, or the server ends. It has a connection and a thread of its own. GLFW tells
+// none of this: it passes over keyboard grabs and destroyed windows, and Xlib tells of a server's end only whoever calls
+// it.
 class DisplayWatch {
  public:
   // Of that window, which nobody has focused yet. `when_lost` is called once, on the watch's thread; null: nothing is.
@@ -52,11 +55,9 @@ class DisplayWatch {
   std::thread thread_;  // last: it uses what stands above
 };
 
-// The display goes away while the window is open: the server has crashed, the session has ended, or another client has
-// destroyed the window. The X library lets nobody return from that, so the program ends from within, with words and
-// ExitCode::no_display, once what must not be lost has been put in order. UI thread.
-
-// From now on. Once GLFW has been initialised, with a display.
+// From now on the program ends when the display is lost: the server has crashed, the session has ended, or another client
+// has destroyed the window. The X library lets nobody return from that, so the program ends from within, with words and
+// ExitCode::no_display, once what must not be lost has been put in order. Once GLFW has been initialised, with a display.
 void watch_display();
 
 // From now on an X error counts as the end of that window if it no longer exists. 0: of none.

@@ -1,5 +1,6 @@
 // The desktop's window, by GLFW: on a display, or offscreen, where it is drawn into memory. One code path; what differs
-// is in opengl_window.h, and that an offscreen window draws on a canvas.
+// is in opengl_window.h, and that an offscreen window draws on a canvas. And the monitors that it may be on. Main thread,
+// between GLFW's beginning and its end.
 #pragma once
 
 #include <optional>
@@ -70,13 +71,10 @@ class GlfwWindow : public Window {
   } restored_corner_;
 };
 
-// Monitors: how much room there is for a window, and which one it is on. Main thread, between the window library's
-// beginning and end.
-
-// As large as what the desktop leaves free of the primary monitor, at most; as WindowOptions has it.
+// A window's size, at most as large as what the desktop leaves free of the primary monitor; as WindowOptions has it.
 WindowSize fitted(WindowSize size);
 
-// The one that shows most of the window; null: there is none.
+// The monitor that shows most of the window; null: there is none.
 GLFWmonitor* monitor_of(GLFWwindow* window);
 
 }  // namespace ghostforce

@@ -1,5 +1,6 @@
-// Picture: a scene at one moment, without a window on a display. What `render` writes, `check` compares and figures
-// are made of. The same request gives the same picture. Main thread only (OpenGL offscreen).
+// A picture of a scene at one moment, or of a step of a lesson, without a window on a display. What `render` writes,
+// `check` compares and figures are made of. The same request gives the same picture. What draws is for the main thread
+// only (OpenGL offscreen).
 #pragma once
 
 #include <cstddef>
@@ -26,8 +27,8 @@
 
 namespace ghostforce {
 
-// LessonPicture: a step of a lesson as a picture, as it stands when nobody has answered it, or after an answer. Values;
-// pure, any thread.
+// A step of a lesson as a picture, as it stands when nobody has answered it, or after an answer. A value; what is done
+// with it is pure, any thread.
 struct LessonPicture {
   std::shared_ptr<const Lesson> lesson;  // never null
   std::size_t step = 0;                  // from 0
@@ -70,8 +71,8 @@ struct PictureRequest {
 // with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
 bool apply_strategy_word(std::string_view word, PictureRequest& request);
 
-// A step of a lesson: scene, face and mode are as the step has them; what no step has stated yet stays as it is. Only for
-// a picture without problems.
+// Makes it the picture of a step: scene, face and mode are as the step has them; what no step has stated yet stays as it
+// is. Only for a picture without problems.
 void show_lesson_in(PictureRequest& request, LessonPicture lesson);
 
 // The moment: the scene simulated from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where
@@ -100,7 +101,7 @@ struct Drawing {
 };
 Drawing draw_moment(const PictureRequest& request, const Moment& moment);
 
-// Moments at even distances, from the first time until before the other [s]: a clip that long. `from_s` < `to_s`.
+// The moments of a clip, at even distances from the first time until before the other [s]. `from_s` < `to_s`.
 struct ClipTimes {
   double from_s = 0.0;
   double to_s = 0.0;
@@ -109,9 +110,9 @@ struct ClipTimes {
 std::int64_t frame_count(const ClipTimes& times) noexcept;
 double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept;
 
-// The same at each of these moments, from one simulation, and by one screen: like in the window, words and panels stay
-// where they are from one picture to the next. The stage's view holds the whole way of the hand. `take` gets each
-// picture in turn. `request.at_s` has no meaning here. Throws what the two above throw.
+// Draws the scene at each of these moments, from one simulation, and by one screen: like in the window, words and panels
+// stay where they are from one picture to the next. The stage's view holds the whole way of the hand. `take` gets each
+// picture in turn. `request.at_s` has no meaning here. Throws what simulate_to_moment() and draw_moment() throw.
 void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take);
 
 // What was drawn, for scripts and tests.

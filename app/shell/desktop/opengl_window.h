@@ -1,6 +1,6 @@
-// OpenGlWindow: GLFW's window with OpenGL 3.3 core, on a display or offscreen. Offscreen it is GLFW's null platform, which
-// keeps the input side, with EGL or OSMesa beside it; neither has a framebuffer that may be drawn on, so that what is
-// drawn needs a gl::Canvas, and is the same with both. Main thread only, one at a time.
+// OpenGlWindow: GLFW's window with OpenGL 3.3 core, on a display or offscreen, and the memory that OpenGL needs. Offscreen
+// it is GLFW's null platform, which keeps the input side, with EGL or OSMesa beside it; neither has a framebuffer that
+// may be drawn on, so that what is drawn needs a gl::Canvas, and is the same with both. Main thread only, one at a time.
 #pragma once
 
 #include <memory>
@@ -25,8 +25,8 @@ struct WindowOptions {
       renderer{};             // that draws offscreen; empty: the first that is there and needs no graphics card
   bool fits_monitor = false;  // smaller where the monitor is
   bool takes_mouse = true;    // false: no hover and no click changes a picture
-  // Called at once, on another thread, when a display or its window is lost; null: nothing is. The program ends a little
-  // later, with words (display_watch.h).
+  // Called at once, on another thread, when a display or its window is lost; null: nothing is. The program ends a
+  // little later, with words (display_watch.h).
   void (*when_lost)() noexcept = nullptr;
 };
 
@@ -65,12 +65,10 @@ class OpenGlWindow {
   std::optional<DisplayWatch> watch_;  // of an X server's
 };
 
-// Memory for drawing. OpenGL's libraries crash or hang where a limit of the process (ulimit -v) leaves them too little,
-// so it is asked for beforehand.
-
-// Before OpenGL is loaded, for a window of that size [px]. Where there is room for it only without threads of the
-// software renderer, it gets none, and draws the same more slowly. Throws Failure(file_trouble) where there is no room,
-// whose words end in what else the person can do, the `remedy`.
+// Before OpenGL is loaded, for a window of that size [px]: its libraries crash or hang where a limit of the process
+// (ulimit -v) leaves them too little memory, so it is asked for beforehand. Where there is room for it only without
+// threads of the software renderer, that gets none, and draws the same more slowly. Throws Failure(file_trouble) where
+// there is no room, whose words end in what else the person can do, the `remedy`.
 void make_room_for_drawing(int width, int height, std::string_view remedy);
 
 }  // namespace ghostforce

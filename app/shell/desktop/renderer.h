@@ -1,4 +1,5 @@
-// What draws offscreen: the catalog of renderers. Immutable, any thread.
+// What draws offscreen: the catalog of renderers, which is immutable, any thread; the driver that is chosen for them; and
+// which of them this machine has.
 #pragma once
 
 #include <cstdint>
@@ -26,17 +27,13 @@ const RendererEntry& entry_of(Renderer renderer) noexcept;
 // Empty when none has that name.
 std::optional<Renderer> find_renderer(std::string_view name) noexcept;
 
-// Which driver draws offscreen: the software renderer that Mesa chooses by itself, whatever the environment says. What
-// somebody has set for the programs on their desktop (another driver, another version of OpenGL) makes Mesa draw other
-// pictures, or crash where there is no desktop.
-
-// Takes such variables out of the environment, and says so on the standard error. Before any OpenGL is loaded and any
-// thread is started.
+// From now on the software renderer that Mesa chooses by itself draws offscreen, whatever the environment says. What
+// somebody has set there for the programs on their desktop (another driver, another version of OpenGL) makes Mesa draw
+// other pictures, or crash where there is no desktop. Takes such variables out of the environment, and says so on the
+// standard error. Before any OpenGL is loaded and any thread is started.
 void choose_offscreen_driver();
 
-// Which renderers this machine has. Each is tried in a process of its own, so that a driver that crashes or hangs does no
-// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it
-// while there is one thread.
+// Whether this machine has a renderer.
 struct RendererFinding {
   Renderer renderer;
   bool is_there = false;
@@ -44,7 +41,9 @@ struct RendererFinding {
   std::string words;        // what draws and its version, or why it cannot and what to install
 };
 
-// In the order of the catalog.
+// In the order of the catalog. Each is tried in a process of its own, so that a driver that crashes or hangs does no harm,
+// and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it while there is one
+// thread.
 std::vector<RendererFinding> examine_renderers();
 
 // One line about the renderer that draws where nobody asks for one, "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core

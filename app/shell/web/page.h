@@ -17,7 +17,7 @@
 
 namespace ghostforce {
 
-// How long something took in each of the last frames. One thread.
+// How long something took in each of the last frames.
 class FrameTimes {
  public:
   static constexpr std::size_t capacity = 300;

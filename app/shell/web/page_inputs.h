@@ -23,7 +23,7 @@ inline constexpr std::string_view why_no_falcon_in_page =
 
 // The hand on a SpaceMouse that the browser (WebHID) lets the page read. One that the person has permitted to the page
 // is opened by itself, also when it is plugged in later; else the browser asks the person, once the input is chosen, or
-// whenever ask() is called. Main thread.
+// whenever ask() is called.
 class BrowserSpaceMouseInput final : public SpaceMouseInput {
  public:
   // Whether this browser has WebHID: Chrome and Edge have it.

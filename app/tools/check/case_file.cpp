@@ -307,6 +307,10 @@ constexpr std::array case_keys{
             [](auto& value, auto& at) {
               number_into(at.summary.tolerance.share, {0.0, 1.0})(value);
             }},
+    CaseKey{"expect", "tolerance",
+            [](auto& value, auto& at) {
+              number_into(at.summary.number_tolerance, {.least = 0.0})(value);
+            }},
     CaseKey{"golden", "renderer", read_origin<&GoldenOrigin::renderer>},
     CaseKey{"golden", "mesa", read_origin<&GoldenOrigin::mesa>},
     CaseKey{"golden", "version", read_origin<&GoldenOrigin::version>},
@@ -319,6 +323,11 @@ void read_keys(CaseReading& at) {
     TomlKey& added = at.keys.emplace_back(TomlKey{key.table, key.name, {}});
     if (key.read != nullptr) added.read = [&](const TomlValue& value) { key.read(value, at); };
   }
+  for (std::size_t i = 0; i < quantity_count; ++i) {
+    at.keys.emplace_back(TomlKey{"expect", quantity_catalog()[i].column, {}}).read = [&at, i](const TomlValue& value) {
+      at.summary.numbers[i] = value.number({});
+    };
+  }
   if (!named) at.keys.front().if_missing = "give the name of a shipped scene, or a path relative to this file";
   at.reader.read(at.keys);
   for (const CaseKey& key : case_keys) {
@@ -328,6 +337,13 @@ void read_keys(CaseReading& at) {
     if (wrong && !named) wrong->refuse("belongs to a lesson", "name one with lesson");
   }
   if (at.lesson) show_lesson_of(*named, at);
+  const bool has_number = std::ranges::any_of(quantity_catalog(), [&](const Quantity& quantity) {
+    return at.reader.find("expect", quantity.column).has_value();
+  });
+  if (at.reader.has_table("expect") && !has_number) {
+    at.reader.refuse("the table [expect] states no number", "give one, as in ghost_force_N = 1.2728",
+                     at.reader.find("", "expect"));
+  }
   if (at.summary.origin && at.summary.expectation != Expectation::golden) {
     at.reader.refuse(
         fmt::format("the table [golden]: with the key {} no golden is used", expectation_name(at.summary.expectation)),

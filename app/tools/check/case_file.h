@@ -1,7 +1,8 @@
-// A case of `check`: what to draw, and what the picture must equal. One TOML file each, NAME.toml; strict
+// A case of `check`: what to draw, what the picture must equal, and what its numbers must be. One TOML file each, NAME.toml; strict
 // like a scene. Not for the servo thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "app/files/read_error.h"
+#include "app/picture/glossary.h"
 #include "app/shell/desktop/offscreen.h"
 #include "app/tools/check/comparison.h"
 #include "app/tools/check/golden_origin.h"
@@ -32,6 +34,9 @@ struct Case {
   Tolerance tolerance;
   bool has_tolerance = false;  // the file states it
   std::vector<PixelBox> mask;  // within the picture
+  // What the numbers of the active strategy must be, in the order and the units of quantity_catalog(); empty: anything.
+  std::array<std::optional<double>, quantity_count> numbers{};
+  double number_tolerance = 1e-6;
   std::optional<GoldenOrigin> origin;
 
   std::string golden_path() const;

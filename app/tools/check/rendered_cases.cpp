@@ -57,8 +57,10 @@ RenderedCase RenderedCases::draw(const std::string& name) {
   PictureRequest request = content_of(*entry.described).request;
   request.renderer = renderer_;
   // A window of its own for each: what is drawn cannot depend on what was drawn before.
-  Drawing drawing = draw_moment(request, simulate_to_moment(request));
-  RenderedCase drawn{std::move(drawing.image), present_origin(drawing.graphics)};
+  const Moment moment = simulate_to_moment(request);
+  Drawing drawing = draw_moment(request, moment);
+  RenderedCase drawn{std::move(drawing.image), present_origin(drawing.graphics),
+                     moment.snapshot.strategies[index_of(request.scene.settings.active)]};
   if (is_wanted_again && kept_bytes_ + drawn.image.rgb.size() <= most_kept_bytes) {
     kept_bytes_ += drawn.image.rgb.size();
     kept_.emplace(name, drawn);

@@ -11,12 +11,14 @@
 
 #include "app/shell/desktop/offscreen.h"
 #include "app/tools/check/case_file.h"
+#include "core/snapshot.h"
 
 namespace ghostforce {
 
 struct RenderedCase {
   Image image;
   GoldenOrigin origin;
+  StrategySnapshot<2> numbers;  // of the active strategy
 };
 
 class RenderedCases {

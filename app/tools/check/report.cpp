@@ -31,9 +31,15 @@ th, td { text-align: left; padding: .25rem 1.5rem .25rem 0; border-bottom: 1px s
 td.time { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 .pass { color: var(--good); } .FAIL { color: var(--bad); font-weight: bold; }
 code { background: #8882; padding: .15rem .4rem; border-radius: .25rem; overflow-wrap: anywhere; }
-.pictures { display: grid; grid-template-columns: repeat(3, minmax(0, 1fr)); gap: 1rem; margin-top: .75rem; }
+.pictures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1rem; margin-top: .75rem; }
 figure { margin: 0; } figcaption { margin-bottom: .25rem; }
 img { width: 100%; border: 1px solid var(--line); box-sizing: border-box; }
+.pair { position: relative; --from: 50%; }
+.pair img { display: block; }
+.pair img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--from)); }
+.slider { width: 100%; margin: 0; }
+.blink:checked ~ .pair img + img { clip-path: none; animation: blink 1.2s step-end infinite; }
+@keyframes blink { 50% { visibility: hidden; } }
 @media (max-width: 60rem) { .pictures { grid-template-columns: 1fr; } }
 )";
 
@@ -93,6 +99,19 @@ std::string section_about(const Verdict& verdict, std::size_t number) {
         "</a></figure>\n",
         kind.caption, link, link, kind.word, xml_text(verdict.name));
   }
+  if (verdict.pictures.expected && verdict.pictures.actual) {
+    const std::string expected = link_to(picture_name(verdict, picture_kinds[0]));
+    const std::string actual = link_to(picture_name(verdict, picture_kinds[1]));
+    html += fmt::format(
+        "<figure><figcaption>expected to the left of the slider, actual to its right</figcaption>\n"
+        "<input type=\"checkbox\" class=\"blink\" id=\"blink{0}\"><label for=\"blink{0}\">blink</label>\n"
+        "<input type=\"range\" class=\"slider\" min=\"0\" max=\"100\" value=\"50\" "
+        "aria-label=\"where the actual picture begins\" "
+        "oninput=\"this.nextElementSibling.style.setProperty('--from', this.value + '%')\">\n"
+        "<div class=\"pair\"><img src=\"{1}\" alt=\"expected picture of {3}\"><img src=\"{2}\" "
+        "alt=\"actual picture of {3}\"></div></figure>\n",
+        number, expected, actual, xml_text(verdict.name));
+  }
   return html + "</div>\n";
 }
 
@@ -129,6 +148,20 @@ Json difference_as_json(const Comparison& comparison) {
   return json;
 }
 
+Json numbers_as_json(const Verdict& verdict) {
+  Json json = Json::array();
+  for (std::size_t i = 0; i < quantity_count; ++i) {
+    if (!verdict.numbers[i]) continue;
+    const CheckedNumber& number = *verdict.numbers[i];
+    json.push_back({{"name", quantity_catalog()[i].column},
+                    {"pass", number.passes()},
+                    {"expected", number.expected},
+                    {"actual", number.actual},
+                    {"tolerance", number.tolerance}});
+  }
+  return json;
+}
+
 Json case_as_json(const Case& checked, const Verdict& verdict, const std::string& pictures) {
   Json json{{"name", verdict.name},
             {"pass", verdict.passes},
@@ -139,6 +172,7 @@ Json case_as_json(const Case& checked, const Verdict& verdict, const std::string
             {"other", null_if_empty(checked.other)},
             {"difference", nullptr},
             {"tolerance", {{"channel", verdict.tolerance.channel}, {"share", verdict.tolerance.share}}},
+            {"numbers", numbers_as_json(verdict)},
             {"renderer", verdict.drawn_by.renderer},
             {"mesa", verdict.drawn_by.mesa},
             {"duration_s", verdict.duration_s},

@@ -8,8 +8,10 @@
 #include <system_error>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/base/quoted.h"
 #include "app/files/input_file.h"
@@ -72,6 +74,21 @@ void compare(const Case& checked, const Mask& mask, const Image& expected, const
   if (!verdict.passes && checked.origin) verdict.remark = other_renderer_words(*checked.origin, drawn.origin);
 }
 
+// What is wrong with the numbers; empty: nothing.
+std::string compare_numbers(const Case& checked, const StrategySnapshot<2>& actual, Verdict& verdict) {
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < quantity_count; ++i) {
+    if (!checked.numbers[i]) continue;
+    const Quantity& quantity = quantity_catalog()[i];
+    const CheckedNumber& number =
+        verdict.numbers[i].emplace(CheckedNumber{*checked.numbers[i], quantity.value(actual), checked.number_tolerance});
+    if (number.passes()) continue;
+    wrong.push_back(
+        fmt::format("{} is {}, not {} ± {}", quantity.column, number.actual, number.expected, number.tolerance));
+  }
+  return fmt::format("{}", fmt::join(wrong, "; "));
+}
+
 }  // namespace
 
 bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present) {
@@ -90,6 +107,7 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
   verdict.tolerance = verdict.is_lenient ? graphics_card_tolerance : checked.tolerance;
   const Mask mask(checked.width, checked.height, checked.mask);
   if (expected) compare(checked, mask, *expected, drawn, verdict);
+  const std::string wrong_numbers = compare_numbers(checked, drawn.numbers, verdict);
   if (!verdict.passes) {
     if (checked.expectation == Expectation::golden && kind_instead_of_file(checked.golden_path()).empty()) {
       verdict.remedy = update_command(folder, checked.name);
@@ -102,6 +120,11 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
       }
     }
   }
+  // A new golden mends no number.
+  if (!wrong_numbers.empty()) {
+    verdict.reason = verdict.passes ? wrong_numbers : fmt::format("{}; {}", wrong_numbers, verdict.reason);
+    verdict.passes = false;
+  }
   verdict.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return verdict;
 }
@@ -112,10 +135,10 @@ namespace {
 auto members_of(auto& value) {
   using Type = std::remove_cvref_t<decltype(value)>;
   if constexpr (std::is_same_v<Type, Verdict>) {
-    auto& [name, passes, is_file_trouble, is_lenient, tolerance, reason, remark, remedy, comparison, drawn_by,
+    auto& [name, passes, is_file_trouble, is_lenient, tolerance, reason, remark, remedy, comparison, numbers, drawn_by,
            duration_s, pictures] = value;
-    return std::tie(name, passes, is_file_trouble, is_lenient, tolerance, reason, remark, remedy, comparison, drawn_by,
-                    duration_s, pictures);
+    return std::tie(name, passes, is_file_trouble, is_lenient, tolerance, reason, remark, remedy, comparison, numbers,
+                    drawn_by, duration_s, pictures);
   } else if constexpr (std::is_same_v<Type, GoldenOrigin>) {
     auto& [renderer, mesa, version] = value;
     return std::tie(renderer, mesa, version);

@@ -1,10 +1,13 @@
 // Verdict: whether a case passes, and what a person needs to know where it does not. Main thread only (it draws).
 #pragma once
 
+#include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
 
+#include "app/picture/glossary.h"
 #include "app/tools/check/case_file.h"
 #include "app/tools/check/comparison.h"
 #include "app/tools/check/golden_origin.h"
@@ -27,6 +30,16 @@ struct VerdictPictures {
   std::optional<std::string> difference;
 };
 
+// A number that the case states.
+struct CheckedNumber {
+  double expected = 0.0;
+  double actual = 0.0;
+  double tolerance = 0.0;
+
+  // Written so that NaN does not.
+  bool passes() const noexcept { return std::abs(actual - expected) <= tolerance; }
+};
+
 struct Verdict {
   std::string name;
   bool passes = false;
@@ -35,8 +48,10 @@ struct Verdict {
   Tolerance tolerance;                   // that was applied
   std::string reason;                    // one line; of a case that passes too: what was found
   std::string remark;                    // a probable cause; may be empty
-  std::string remedy;                    // the command that updates the golden; empty where none does
+  std::string remedy;                    // the command that updates the golden; empty where none does or none is needed
   std::optional<Comparison> comparison;  // none: there was nothing to compare with
+  // In the order of quantity_catalog(); none: the case does not state it.
+  std::array<std::optional<CheckedNumber>, quantity_count> numbers{};
   GoldenOrigin drawn_by;
   double duration_s = 0.0;
   VerdictPictures pictures;

@@ -1,0 +1,145 @@
+// `ghostforce check --update` for all cases that fail, and numbers beside pictures.
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "app/picture/glossary.h"
+#include "tests/app/tools/check/check_cases.h"
+
+namespace ghostforce::check_update_test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// With these words on its standard input.
+Outcome update_with(const Cases& cases, std::string_view typed, std::string_view more = "") {
+  return run_program("/bin/sh", {"-c", fmt::format("printf '{}' | '{}' check '{}' --update {}", typed,
+                                                   ghostforce_program(), cases.path(), more)});
+}
+
+class CheckUpdate : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(cases_.check({"--update", "changed", "kept"}).exit_code, 0);
+    write_whole(cases_ / "changed.toml", replaced(read_whole(cases_ / "changed.toml"), "naive", "full"));
+  }
+
+  std::string golden() const { return read_whole(cases_ / "changed.png"); }
+
+  Cases cases_{{{"changed", std::string(small_case) + "strategy = \"naive\"\n"},
+                {"kept", std::string(small_case) + "strategy = \"anisotropic\"\n"},
+                {"unlike", std::string(small_case) + "strategy = \"full\"\nmatch = \"kept\"\n"}}};
+};
+
+TEST_F(CheckUpdate, StoresNothingUnlessSomebodyAgrees) {
+  const std::string before = golden();
+  for (const char* const typed : {"", "n\\n", "\\n", "nyet\\n"}) {
+    const Outcome outcome = update_with(cases_, typed);
+    EXPECT_EQ(outcome.exit_code, 1) << typed;
+    EXPECT_TRUE(contains(outcome.err, "Store new goldens for this case"));
+    EXPECT_TRUE(contains(outcome.out, "FAIL changed"));
+    EXPECT_TRUE(contains(outcome.out, "nothing was stored"));
+    EXPECT_EQ(golden(), before);
+  }
+}
+
+TEST_F(CheckUpdate, StoresThoseThatFailAndNoOther) {
+  const std::string kept = read_whole(cases_ / "kept.png");
+  const Outcome outcome = update_with(cases_, "y\\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "changed.png; look at it"));
+  EXPECT_FALSE(outcome.out.find("kept.png") != std::string::npos) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "no new golden mends that")) << "of the one that must equal another";
+  EXPECT_EQ(read_whole(cases_ / "kept.png"), kept);
+  EXPECT_EQ(cases_.check({"--only", "changed", "kept"}).exit_code, 0);
+  const Outcome again = update_with(cases_, "");
+  EXPECT_EQ(again.exit_code, 0);
+  EXPECT_TRUE(contains(again.out, "no case needs a new golden"));
+}
+
+TEST_F(CheckUpdate, AsksNothingWhereTheAnswerIsGiven) {
+  const Outcome outcome = update_with(cases_, "n\\n", "--yes");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err.find("Store new goldens"), std::string::npos);
+  EXPECT_EQ(cases_.check({"--only", "changed"}).exit_code, 0);
+  EXPECT_EQ(cases_.check({"--yes"}).exit_code, 2) << "there is nothing to agree to";
+}
+
+// CLI11 gives an option without its words the word "true".
+TEST(CheckUpdateTrue, IsACaseLikeAnyOther) {
+  const Cases cases({{"other", std::string(small_case)}, {"true", std::string(small_case)}});
+  EXPECT_EQ(cases.check({"--update", "true"}).exit_code, 0);
+  EXPECT_TRUE(cases.files().contains("true.png"));
+  EXPECT_FALSE(cases.files().contains("other.png"));
+}
+
+// --- Numbers ---------------------------------------------------------------------------------------------------------
+
+std::string naive_with(std::string_view expected) {
+  return fmt::format("{}strategy = \"naive\"\n[expect]\n{}\n", small_case, expected);
+}
+
+// As the program tells it.
+double number_of(const Outcome& outcome, std::string_view name) {
+  for (const Json& number : Json::parse(outcome.out).at("cases").at(0).at("numbers")) {
+    if (number.at("name") == name) return number.at("actual");
+  }
+  ADD_FAILURE() << name << outcome.out;
+  return 0.0;
+}
+
+TEST(CheckNumbers, MustBeWhatTheCaseStates) {
+  const Cases cases({{"wall", naive_with("force_N = 0\nghost_force_N = 0\nproxy_drift_mm = 0\nenergy_mJ = 0\n"
+                                         "tolerance = 1000")}});
+  cases.update("wall");
+  const Outcome lenient = cases.check({"--json"});
+  EXPECT_EQ(lenient.exit_code, 0);
+  const double ghost = number_of(lenient, "ghost_force_N");
+  EXPECT_GT(ghost, 1.0);
+  EXPECT_GT(number_of(lenient, "proxy_drift_mm"), 1.0);
+
+  const auto check_with = [&](std::string_view expected) {
+    const std::string text = read_whole(cases / "wall.toml");
+    const std::size_t begin = text.find("[expect]");
+    const std::size_t end = text.find("[golden]");
+    write_whole(cases / "wall.toml", text.substr(0, begin) + fmt::format("[expect]\n{}\n", expected) + text.substr(end));
+    return cases.check();
+  };
+  EXPECT_EQ(check_with(fmt::format("ghost_force_N = {}", ghost)).exit_code, 0);
+  EXPECT_EQ(check_with(fmt::format("ghost_force_N = {}", ghost + 0.9e-6)).exit_code, 0);
+  const Outcome wrong = check_with(fmt::format("ghost_force_N = {}", ghost + 1.1e-6));
+  EXPECT_EQ(wrong.exit_code, 1);
+  EXPECT_TRUE(contains(wrong.out, fmt::format("FAIL wall  ghost_force_N is {}, not", ghost)));
+  EXPECT_EQ(wrong.err.find("--update"), std::string::npos) << "no new golden mends a number";
+  EXPECT_EQ(check_with(fmt::format("ghost_force_N = {}\ntolerance = 1e-3", ghost + 0.9e-3)).exit_code, 0);
+}
+
+TEST(CheckNumbers, AreTheOnesOfTheScreen) {
+  for (const Quantity& quantity : quantity_catalog()) {
+    const Cases cases({{"a", naive_with(fmt::format("{} = 0\ntolerance = 1e9", quantity.column))}});
+    cases.update("a");
+    EXPECT_EQ(cases.check().exit_code, 0) << quantity.column;
+  }
+}
+
+TEST(CheckNumbers, AreReadStrictly) {
+  for (const auto& [expected, words] : std::map<std::string, std::string>{
+           {"tolerance = 1", "states no number"},
+           {"ghost_force = 1", "ghost_force_N"},
+           {"force_N = \"1\"", "force_N"},
+           {"force_N = nan", "force_N"},
+           {"force_N = 1\ntolerance = -1", "tolerance"},
+       }) {
+    const Outcome outcome = Cases({{"a", naive_with(expected)}}).check();
+    EXPECT_EQ(outcome.exit_code, 2) << expected;
+    EXPECT_TRUE(contains(outcome.err, words)) << expected;
+  }
+}
+
+}  // namespace
+}  // namespace ghostforce::check_update_test
