@@ -1,6 +1,6 @@
 // How the program ends, as a number for scripts and as words for people. Anything under app/ may throw a Failure,
-// but readers of files, which throw a ReadError (app/files/read_error.h). main() is the only place that catches both and
-// ends the program. Not for the servo thread, which never throws.
+// except readers of files, which throw a ReadError (app/files/read_error.h). main() is the only place that catches both
+// and ends the program. Not for the servo thread, which never throws.
 #pragma once
 
 #include <array>
@@ -24,7 +24,8 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-// `what_to_say` is complete: what is wrong, where, and what to do about it; one line per problem, no newline at the end.
+// `what_to_say` is complete: what is wrong, where, and what to do about it; one line per problem, no newline at the
+// end.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& what_to_say) : std::runtime_error(what_to_say), code_(code) {}
@@ -34,7 +35,7 @@ class Failure : public std::runtime_error {
   ExitCode code_;
 };
 
-// What each exit code says, for the help and the manual. Pure, any thread.
+// What each exit code says, for the help and the manual.
 struct ExitCodeEntry {
   ExitCode code;
   std::string_view meaning;

@@ -1,5 +1,5 @@
 // Words of a file or of the command line as they may stand in a message: short, and with nothing in them that moves a
-// terminal's cursor. Pure, any thread.
+// terminal's cursor; and the characters of UTF-8 that can be shown. Pure, any thread.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ std::vector<std::string_view> names_of(const Catalog& catalog) {
 // "full, naive, anisotropic"
 std::string listed(std::span<const std::string_view> words);
 
-// Characters of UTF-8: where one ends, and which can be shown. Pure, any thread.
+// The first character of a text, and where it ends.
 struct Character {
   char32_t code = 0;
   std::size_t length = 0;  // in bytes; 0: the text is empty, or begins with a byte that is no UTF-8

@@ -1,4 +1,5 @@
-// What a person typed, taken apart. Pure, any thread.
+// What a person typed: taken apart, read as a number, and compared with the names that were probably meant. Pure, any
+// thread.
 #pragma once
 
 #include <algorithm>
@@ -34,17 +35,16 @@ std::optional<Number> number_in(std::string_view text, Base... base) noexcept {
   }
 }
 
-// The same of one that may begin with a plus.
+// A number that may begin with a plus; empty: there is none.
 template <typename Number>
 std::optional<Number> signed_number_in(std::string_view text) noexcept {
   return number_in<Number>(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
-// "Did you mean …": the name of a list that a mistyped word was probably meant to be. Pure, any thread.
-
-// The candidate with the fewest slips of the keyboard (a letter wrong, missing, too many, or two swapped; case does not
-// count) between it and `word`; the first of equals. Empty when all are so far away that naming one would only confuse.
-// A word that a candidate begins with is near, however much follows: k_r and k_r_N_per_m.
+// What a mistyped word was probably meant to be: the candidate with the fewest slips of the keyboard (a letter wrong,
+// missing, too many, or two swapped; case does not count) between it and `word`; the first of equals. Empty when all
+// are so far away that naming one would only confuse. A word that a candidate begins with is near, however much
+// follows: k_r and k_r_N_per_m.
 std::optional<std::string_view> nearest_name(std::string_view word, std::span<const std::string_view> candidates);
 
 // "'WORD' is not one of A, B, C; did you mean 'A'?"; empty: it is one of them.

@@ -1,5 +1,5 @@
-// The program and its commands with all their options, as CLI11 parses them, made from command_catalog(); and the manual,
-// made from that. All of it allocates; not for the servo thread.
+// The program and its commands with all their options, as CLI11 parses them, made from command_catalog(); and the
+// manual, made from that. All of it allocates; not for the servo thread.
 #pragma once
 
 #include <functional>

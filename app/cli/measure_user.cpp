@@ -152,8 +152,8 @@ class RestFinder {
                       glm::dot(mean.force, direction_at(settings.actuated_angle)), given_k_u(first), reading});
   }
 
-  // Whether the motors of a real device had something else than the rendering and the tones asked for. A handle whose way
-  // is shown enlarged has a share of the force that is the same throughout; ramps, limits and fades have none.
+  // Whether the motors of a real device had something else than the rendering and the tones asked for. A handle whose
+  // way is shown enlarged has a share of the force that is the same throughout; ramps, limits and fades have none.
   bool is_limited(std::size_t begin, std::size_t end) const {
     double asked = 0.0;
     double sent = 0.0;

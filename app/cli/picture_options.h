@@ -1,5 +1,5 @@
-// Options that the window and the pictures share: which strategy, which theme, how large; which renderer draws offscreen;
-// and those that say what the window shows at first.
+// Options that the window and the pictures share: which strategy, which theme, how large; which renderer draws
+// offscreen; and those that say what the window shows at first.
 #pragma once
 
 #include <optional>

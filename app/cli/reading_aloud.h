@@ -17,8 +17,8 @@ namespace ghostforce {
 // with units. Each line has its end of line.
 std::string printed_header();
 
-// What the stage says as a line of text: the sentence first, since that is what one listens to, then the numbers as they
-// stand on the stage. Columns are separated by tabs; what cannot be known, or is hidden, is "-". The minus sign is
+// What the stage says as a line of text: the sentence first, since that is what one listens to, then the numbers as
+// they stand on the stage. Columns are separated by tabs; what cannot be known, or is hidden, is "-". The minus sign is
 // ASCII's, which programs read. `time_s`: of the moment that is shown, in the model's time.
 std::string printed_line(const StageReading& reading, double time_s);
 

@@ -1,6 +1,6 @@
-// A clip: pictures that follow each other, in a file that is written whole or not at all. The format is the file name's:
-// .png is an animated PNG, which the program writes itself; .mp4 and .webm are made by ffmpeg, where it is installed.
-// One thread.
+// A clip: pictures that follow each other, in a file that is written whole or not at all. The format is the file
+// name's: .png is an animated PNG, which the program writes itself (AnimatedPng); .mp4 and .webm are made by ffmpeg,
+// where it is installed. One thread.
 #pragma once
 
 #include <cstddef>
@@ -42,16 +42,17 @@ class ClipFile {
   std::unique_ptr<ClipEncoder> encoder_;
 };
 
-// Animated PNG: a PNG file whose further pictures stand in chunks of their own (PNG, third edition, W3C). Programs that
-// know nothing of them show the first picture. The same pictures give the same bytes. One thread.
+// A PNG file whose further pictures stand in chunks of their own (PNG, third edition, W3C). Programs that know nothing
+// of them show the first picture. The same pictures give the same bytes.
 //
 // Each picture is stored as what has changed since the one before: the smallest rectangle that contains it, and in that
-// only the pixels that have changed, drawn over the old ones. Equal pictures are one that is shown for longer. In memory
-// are the newest picture and its stored form, whatever the clip's length.
+// only the pixels that have changed, drawn over the old ones. Equal pictures are one that is shown for longer. In
+// memory are the newest picture and its stored form, whatever the clip's length.
 class AnimatedPng : public ClipEncoder {
  public:
   // Writes the file's beginning. `file` must not be written directly (OutputFile::part_path()) and must outlive this;
-  // its owner commits it after finish(). `text`: what the file says of itself as its "Description", UTF-8; empty: nothing.
+  // its owner commits it after finish(). `text`: what the file says of itself as its "Description", UTF-8; empty:
+  // nothing.
   AnimatedPng(OutputFile& file, const ClipShape& shape, std::string_view text = {});
 
   void add(const Image& image) override;

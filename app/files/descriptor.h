@@ -1,4 +1,5 @@
-// An open file, closed in the end; negative: there is none. Any one thread.
+// An open file, and what was written to it made to outlast a power cut. To synchronise waits for the disk: not for the
+// servo thread, and for the UI thread only where a person waits for a file anyway, or while motors are off.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +8,7 @@
 
 namespace ghostforce {
 
+// An open file, closed in the end; negative: there is none. Any one thread.
 class Descriptor {
  public:
   explicit Descriptor(int number = -1) noexcept : number_(number) {}
@@ -24,17 +26,13 @@ class Descriptor {
   int number_;
 };
 
-// What was written, made to outlast a power cut. Waits for the disk: not for the servo thread, and for the UI thread
-// only where a person waits for a file anyway, or while motors are off.
-
-// Both return the errno of what went wrong; 0: nothing did, or what is written to cannot be synchronised (a pipe, some
-// file systems) and so promises nothing.
-
-// What the file holds, and how much of it there is. fsync(2) with its times and permissions; fdatasync(2) without.
+// What the file holds, and how much of it there is: sync_file() with its times and permissions, by fsync(2);
+// sync_data() without, by fdatasync(2). They return the errno of what went wrong; 0: nothing did, or what is written to
+// cannot be synchronised (a pipe, some file systems) and so promises nothing.
 int sync_file(int descriptor) noexcept;
 int sync_data(int descriptor) noexcept;
 
-// The names in a folder. A folder that may not be read cannot be synchronised either.
+// The names in a folder, with the same result. A folder that may not be read cannot be synchronised either.
 int sync_folder(const std::filesystem::path& folder) noexcept;
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// A picture in memory: rows from the top, three bytes (red, green, blue) a pixel.
+// A picture in memory, and what takes the pictures of a clip, one after another. Not for the servo thread.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 
 namespace ghostforce {
 
+// Rows from the top, three bytes (red, green, blue) a pixel.
 struct Image {
   int width = 0;
   int height = 0;
@@ -15,14 +16,14 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-// What all pictures of a clip have in common, and what takes them, one after another. Not for the servo thread.
+// What all pictures of a clip have in common.
 struct ClipShape {
   int width = 0;  // [px]
   int height = 0;
   int frames_per_second = 30;
 };
 
-// One format of clips. Every function may throw what OutputFile throws.
+// One format of clips. Every function may throw what OutputFile (output_file.h) throws.
 class ClipEncoder {
  public:
   ClipEncoder() = default;

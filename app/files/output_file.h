@@ -1,9 +1,8 @@
-// A file that is written whole or not at all: what is written goes to a temporary file in the same folder
-// (part_file.h), and commit() puts it in place of the old one, so that even a power cut leaves the old one or the new
-// one. Without commit() nothing is left behind. "-" is the standard output; it, pipes and devices take what is written
-// as it comes. Not for the servo thread.
+// Files that are written whole or not at all, one (OutputFile) or a folder of them (OutputFolder); and a file that
+// grows while the program runs. Not for the servo thread.
 //
-// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted; or BrokenPipe.
+// Every function of the two classes may throw Failure: file_trouble with path, reason and remedy; interrupted. Those of
+// OutputFile may throw BrokenPipe, too.
 #pragma once
 
 #include <cstddef>
@@ -23,6 +22,9 @@ namespace ghostforce {
 // Nobody reads a pipe any more (head, less): the program ends without a word, and nothing has gone wrong.
 struct BrokenPipe {};
 
+// What is written goes to a temporary file in the same folder (part_file.h), and commit() puts it in place of the old
+// one, so that even a power cut leaves the old one or the new one. Without commit() nothing is left behind. "-" is the
+// standard output; it, pipes and devices take what is written as it comes.
 class OutputFile {
  public:
   // Fails at once where a file can never come to be, not after long work.
@@ -46,8 +48,8 @@ class OutputFile {
 
   void commit();
 
-  // The same for several files, of which then all or none are there: an interruption, or one that cannot be put in
-  // place, leaves everything as it was. `folders` get new names besides those of the files.
+  // Commits several files, of which then all or none are there: an interruption, or one that cannot be put in place,
+  // leaves everything as it was. `folders` get new names besides those of the files.
   static void commit_all(std::deque<OutputFile>& files, std::set<std::filesystem::path> folders = {});
 
   // The steps of commit(). Without keep() the file is put back as it was, where the file system can exchange two names
@@ -81,10 +83,8 @@ class OutputFile {
 std::string reason_of(int error);
 
 // A folder of files that are written all or not at all: until commit() there are temporary files in it, and without
-// commit(), or where that fails half-way, everything is as it was (output_file.h says where that cannot be); not even
-// the folder is left behind if it was not there before. Not for the servo thread.
-//
-// Every function may throw Failure: file_trouble with path, reason and remedy; interrupted.
+// commit(), or where that fails half-way, everything is as it was, where the file system can exchange two names; not
+// even the folder is left behind if it was not there before.
 class OutputFolder {
  public:
   // Makes the folder, and those above it. Fails at once where it can never hold a file, not after long work.
@@ -105,16 +105,14 @@ class OutputFolder {
   bool is_committed_ = false;
 };
 
-// A file that grows while the program runs, and whose beginning is of use whenever it ends: it is new, and what is in it
-// stays. Any one thread.
-
-// Its descriptor; negative: there is none, and errno says why.
+// Makes a file that grows while the program runs, and whose beginning is of use whenever it ends: it is new, and what
+// is in it stays. Its descriptor; negative: there is none, and errno says why.
 int open_growing_file(const std::string& path) noexcept;
 
-// Why it cannot be had. `kind`: what it would be, as "a recording"; `error`: as errno has it.
+// Why a growing file cannot be had. `kind`: what it would be, as "a recording"; `error`: as errno has it.
 Failure no_growing_file(const std::string& path, std::string_view kind, int error);
 
-// 0, or why not all of it is in the file.
+// Adds to a growing file. 0, or the errno that says why not all of it is there.
 int append_whole(int descriptor, std::string_view text) noexcept;
 
 }  // namespace ghostforce

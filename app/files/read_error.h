@@ -1,5 +1,6 @@
-// What the readers of files throw: which file, where in it, what is wrong and what to do about it. How the program ends
-// after that is for the command line to say (app/cli/command.h). Not for the servo thread, which never throws.
+// What the readers of files throw: which file, where in it, what is wrong and what to do about it; and the list in
+// which they gather that (ProblemList). How the program ends after that is for the command line to say
+// (app/cli/command.h). Not for the servo thread, which never throws.
 #pragma once
 
 #include <algorithm>
@@ -50,9 +51,8 @@ class ReadError : public std::runtime_error {
 
 // What is wrong with a text that a person wrote, in the order in which a person reads. A file that is wrong from end to
 // end is best read from its beginning: words are made, and memory taken, for the first problems alone, so that a
-// million of them take no longer than the file is to read. One thread.
-
-// `Place` is where a problem stands, and is ordered.
+// million of them take no longer than the file is to read. `Place` is where a problem stands, and is ordered. One
+// thread.
 template <typename Place, typename Words = std::string>
 class ProblemList {
  public:

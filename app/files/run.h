@@ -1,5 +1,9 @@
-// A run as values: what `simulate`, `replay` and recordings write (run.h), as it is read back (run_reader.h); and
-// how long one may be. SI units. Pure, any thread.
+// A run: what `simulate`, `replay` and recordings write, as values that are read back (run_reader.h) and as the text of
+// its file; and how long one may be.
+//
+// The file is CSV: comment lines with the program's build and the scene, one line of column names, then one row per
+// tick and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure, any
+// thread, but for the servo's: most of it allocates.
 #pragma once
 
 #include <cstddef>
@@ -87,16 +91,13 @@ class RunLength {
 // What to say of the first tick that is too far off.
 ReadError too_long(const RunFacts& run, const RunTick& tick);
 
-// A run as CSV: comment lines with the program's build and the scene, one line of column names, then one row per tick
-// and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure; not for the
-// servo thread (it allocates).
-
+// The columns that every run has.
 inline constexpr std::string_view run_columns =
     "strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N";
 
-// What recordings add. sent: after the safety chain [N]; loop_s: real time since the tick before [s]; tone: what measures
-// the hand, on the active device until the next tick [N]: part of what is sent to a real one, beside the force of a
-// simulated one, 0 where nothing measures.
+// What recordings add. sent: after the safety chain [N]; loop_s: real time since the tick before [s]; tone: what
+// measures the hand, on the active device until the next tick [N]: part of what is sent to a real one, beside the force
+// of a simulated one, 0 where nothing measures.
 inline constexpr std::string_view recording_columns =
     ",active,goal_kind,device_kind,sent_x_N,sent_y_N,saturated,loop_s,tone_x_N,tone_y_N";
 

@@ -1,5 +1,4 @@
-// FilePainter: how panes become a picture file without a window. A value that is handed down by who has such a painter:
-// on the desktop it is Cairo's (paint/vector/file_painter.h). UI thread.
+// How panes become a file without a window: a picture (FilePainter, UI thread), or their marks as JSON (any thread).
 #pragma once
 
 #include <functional>
@@ -26,7 +25,8 @@ struct FilePicture {
   double density = 1.0;  // pixels per point, of a PNG
 };
 
-// As it is, the painter of a program that has none: it says so.
+// A value that is handed down by who has such a painter: on the desktop it is Cairo's (paint/vector/file_painter.h). As
+// it is made, it is the painter of a program that has none: it says so.
 struct FilePainter {
   // Of the letters that are painted, for those who place labels.
   MeasureText measure = [](std::string_view, const TextStyle&) -> Vector<2> { throw no_painter(); };
@@ -41,11 +41,10 @@ struct FilePainter {
   }
 };
 
-// Writes marks as JSON: the same picture for a script, with positions in millimetres. Any thread.
-
-// An array with one object per mark: role, strategy (where it belongs to one), form, and the form's positions, sizes
-// and colours, of a raster without its cells. An arrow says where it has no head or is hatched, a label where its letters
-// are bold or none of the three heights of the workbench.
+// The same picture for a script, with positions in millimetres: an array with one object per mark: role, strategy
+// (where it belongs to one), form, and the form's positions, sizes and colours, of a raster without its cells. An arrow
+// says where it has no head or is hatched, a label where its letters are bold or none of the three heights of the
+// workbench.
 nlohmann::ordered_json marks_as_json(const Marks& marks);
 
 }  // namespace ghostforce

@@ -18,8 +18,7 @@
 
 namespace ghostforce {
 
-// Draws what is no single outline with OpenGL: areas and rasters, each as a texture on a rectangle. Needs blending on,
-// and the thread that holds the context.
+// Draws what is no single outline: areas and rasters, each as a texture on a rectangle. Needs blending on.
 class TexturePainter {
  public:
   // Throws gl::ShaderError. Needs a current context.
@@ -53,7 +52,8 @@ class GlPainter {
   void use_shaders(std::string_view vertex_source, std::string_view fragment_source);
 
   // Clears the whole target of `pixel_width` × `pixel_height`, then paints. `corner` is the upper left of the panes'
-  // rectangle on the screen, `text_scale` turns a nominal text height into points. Leaves blending and viewport changed.
+  // rectangle on the screen, `text_scale` turns a nominal text height into points. Leaves blending and viewport
+  // changed.
   void paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale, int pixel_width,
              int pixel_height);
 

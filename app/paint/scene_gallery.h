@@ -1,5 +1,5 @@
-// Small pictures of the scenes that the program brings along, each at rest at the end of its path, to choose one by: drawn
-// once for each theme and size by the program's own layers and painter. On the thread that holds the context.
+// Small pictures to choose something by, and those of the scenes that the program brings along. They are drawn once for
+// each theme and size, by the program's own layers and painter. On the thread that holds the context.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace ghostforce {
 
-// Small pictures to choose something by, drawn once for each theme and size. On the thread that holds the context.
+// Pictures of anything.
 class PictureGallery {
  public:
   explicit PictureGallery(GlPainter& painter) noexcept : painter_(painter) {}
 
-  // OpenGL's name for one of `count` pictures, lowest row first; it stays good until another theme or size [px] is asked
-  // for. `pane_of` makes each of them.
+  // OpenGL's name for one of `count` pictures, lowest row first; it stays good until another theme or size [px] is
+  // asked for. `pane_of` makes each of them.
   unsigned int picture(std::size_t number, std::size_t count, const Theme& theme, int width, int height,
                        const std::function<Pane(std::size_t)>& pane_of);
 
@@ -40,11 +40,13 @@ struct ShippedScene {
 // By name, and where names end in numbers by these.
 const std::vector<ShippedScene>& shipped_scenes();
 
+// Each scene at rest at the end of its path.
 class SceneGallery {
  public:
   explicit SceneGallery(GlPainter& painter) noexcept : pictures_(painter) {}
 
-  // OpenGL's name for the picture of a scene of shipped_scenes(), as PictureGallery has it. `scale`: of lines and marks, in pixels.
+  // OpenGL's name for the picture of a scene of shipped_scenes(), as PictureGallery has it. `scale`: of lines and
+  // marks, in pixels.
   unsigned int picture(std::size_t number, const Theme& theme, int width, int height, double scale);
 
  private:

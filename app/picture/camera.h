@@ -1,5 +1,5 @@
-// Camera: which part of the world a rectangle of the screen shows. Screen points have their origin at the rectangle's
-// upper left corner, y down. A value; any thread.
+// Camera: which part of the world a rectangle of the screen shows, and how close it can be so that all of some points
+// are seen. Screen points have their origin at the rectangle's upper left corner, y down. Plain values; any thread.
 #pragma once
 
 #include <algorithm>
@@ -35,18 +35,16 @@ inline Camera camera_on(const Vector<2>& center, double width, const Vector<2>& 
   return {center, std::min(size.x / width, size.y / (0.75 * width)), size};
 }
 
-// Fit: how close a picture can be so that all of some points are in it. Pure, any thread.
-
-// A point of the picture: so far from the place of a point of the world, however close that is seen.
+// A point of the picture that stays this far from the place of a point of the world, however close that is seen.
 struct FitPoint {
   Vector<2> world;
   Vector<2> offset{0.0};  // on the screen [points], y down
 };
 
-// The greatest scale, up to a given one, at which the points take no more than this room [points].
+// The greatest scale, up to `greatest`, at which the points take no more than this room [points].
 double fitting_scale(std::span<const FitPoint> points, const Vector<2>& room, double greatest) noexcept;
 
-// The middle of them at that scale [m].
+// The middle of the points at that scale [m].
 Vector<2> fitting_center(std::span<const FitPoint> points, double points_per_metre) noexcept;
 
 }  // namespace ghostforce

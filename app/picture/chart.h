@@ -1,5 +1,5 @@
-// Chart: curves and points over two axes, as a value. For the figures, and for what the plots in the window save. Pure,
-// any thread.
+// Chart: curves and points over two axes, as a value, and its picture. For the figures, and for what the plots in the
+// window save. Pure, any thread.
 #pragma once
 
 #include <optional>
@@ -45,10 +45,8 @@ struct Chart {
   std::vector<Reference> references{};
 };
 
-// A chart's picture as marks, so that the painters that draw scenes draw charts too. Pure, any thread.
-
-// The chart as a pane of its own: in its camera one metre is one point, y up. `corner` and `size` in points, `scale` as
-// for scenes.
+// The chart as marks in a pane of its own, so that the painters that draw scenes draw charts too: in its camera one
+// metre is one point, y up. `corner` and `size` in points, `scale` as for scenes.
 Pane chart_pane(const Chart& chart, const Vector<2>& corner, const Vector<2>& size, const Theme& theme, double scale,
                 const MeasureText& measure);
 

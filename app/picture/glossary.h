@@ -1,5 +1,6 @@
-// Glossary: every term on the screen in one sentence, with its formula and unit. What appears on hover, over panels and
-// over the marks of the scene alike. Immutable, any thread.
+// Glossary: every term on the screen in one sentence, with its formula and unit, as it appears on hover, over panels
+// and over the marks of the scene alike; and the quantities among them that each strategy is measured by. Immutable,
+// any thread.
 #pragma once
 
 #include <array>
@@ -70,14 +71,14 @@ std::optional<Term> term_of(Role role) noexcept;
 inline std::optional<Term> term_of(const Mark& mark) noexcept {
   return term_of(mark.about.value_or(mark.role));
 }
-// The same where the goal may be an estimate, which nobody can drag.
+// Where the goal may be an estimate, which nobody can drag.
 inline std::optional<Term> term_of(const Mark& mark, bool is_goal_estimated) noexcept {
   const std::optional<Term> term = term_of(mark);
   return term == Term::goal && is_goal_estimated ? Term::estimated_goal : term;
 }
 
-// The quantities that each strategy is measured by, in the units of the screen: what the live table shows, the plots
-// draw and their export writes. Immutable, any thread.
+// What each strategy is measured by, in the units of the screen: the live table shows it, the plots draw it and their
+// export writes it.
 struct Quantity {
   std::string_view title;
   std::string_view unit;

@@ -16,7 +16,7 @@ constexpr double rests_s = 0.5;
 // In points of the design.
 constexpr double worth_moving = 30.0;     // a new place must be better by this,
 constexpr double worth_arranging = 60.0;  // and a new arrangement of all labels by this
-constexpr double overlap_cost = 25.0;    // of the place where less important words stand
+constexpr double overlap_cost = 25.0;     // of the place where less important words stand
 constexpr double narrow_cost = 20.0;      // of one that what moves may soon take away,
 constexpr double roomy_air = 30.0;        // with less air than this
 constexpr double very_roomy_air = 80.0;   // for what is large, and pushed away slowly
@@ -293,7 +293,7 @@ Vector<2> LabelPlacer::extent_of(const std::vector<std::string>& lines, const Te
 namespace {
 
 constexpr double corner_fade_s = 0.25;
-// So long does it wait until it comes back, and at rest until it goes to a better place.
+// How long what stands in a corner waits until it comes back, and at rest until it goes to a better place.
 constexpr double corner_comes_back_s = 0.3;
 constexpr double corner_moves_on_s = 0.7;
 

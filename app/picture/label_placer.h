@@ -1,7 +1,8 @@
 // LabelPlacer: words beside the marks of a picture. They never cover a mark or each other and are never cut off: they
 // ask for a place, and where there is not room for all, the less important ones are left out. A label keeps its place
-// relative to what it names as long as that is free; one that must change sides fades in at the new one, so that nothing
-// jumps while something is dragged. Points of the window; one thread.
+// relative to what it names as long as that is free; one that must change sides fades in at the new one, so that
+// nothing jumps while something is dragged. Legend and scale bars find their corners here, too. Points of the window;
+// one thread.
 #pragma once
 
 #include <array>
@@ -62,8 +63,8 @@ class LabelPlacer {
   // There was no picture before, so that all is there at once.
   bool is_first() const noexcept { return !memory_.has_begun; }
 
-  // Each request's place, in their order; empty: there is none. Once for each picture, after all that must be kept clear
-  // is known.
+  // Each request's place, in their order; empty: there is none. Once for each picture, after all that must be kept
+  // clear is known.
   std::vector<std::optional<PlacedLabel>> place(const std::vector<LabelRequest>& requests);
 
   // At once, and kept clear.
@@ -102,10 +103,7 @@ class LabelPlacer {
   std::uint64_t picture_ = 0;
 };
 
-// PictureMemory: where words, legend and scale bars of the workbench's picture before stood, so that they stand still
-// while something is dragged. As it is made: there was none. A value, one thread.
-
-// What stands in one of a few places.
+// Where in the picture before something stood that has only a few places. As it is made: there was none.
 struct CornerMemory {
   std::optional<std::size_t> place{};
   double strength = 0.0;      // 0: not to be seen, 1: all there
@@ -116,6 +114,23 @@ struct CornerMemory {
   bool is_moving() const noexcept { return !is_best || waited_s > 0.0 || (place && strength < 1.0); }
 };
 
+struct CornerPlace {
+  std::size_t place;  // which of them
+  double strength;    // 1: all there
+};
+
+// What stands beside the scene, legend and scale bars, takes the first of a few places that covers no mark. It stays
+// there as long as it covers none, however good another place becomes while things move. `places`: best first; they
+// come in forms, the next of which is only used where there is no room for the one before, and each has as many places.
+// Empty: there is room in none. Where it stands is kept clear of labels.
+std::optional<CornerPlace> place_in_corner(const std::vector<ScreenBox>& places, std::size_t places_of_form,
+                                           LabelPlacer& labels, CornerMemory& memory);
+
+enum class Corner : std::uint8_t { upper_left, upper_right, lower_left, lower_right };
+ScreenBox box_in_corner(Corner corner, const Vector<2>& extent, const Vector<2>& size, double margin);
+
+// Where words, legend and scale bars of a pane of the workbench's picture before stood, so that they stand still while
+// something is dragged. As it is made: there was none.
 struct PaneMemory {
   LabelMemory labels{};
   CornerMemory legend{};
@@ -125,20 +140,5 @@ struct PaneMemory {
 };
 
 using PictureMemory = std::array<PaneMemory, strategy_count>;  // as many panes as there can be
-
-// What stands beside the scene, legend and scale bars, takes the first of a few places that covers no mark. It stays there
-// as long as it covers none, however good another place becomes while things move. Pure; one thread.
-struct CornerPlace {
-  std::size_t place;  // which of them
-  double strength;    // 1: all there
-};
-
-// `places`: best first; they come in forms, the next of which is only used where there is no room for the one before, and
-// each has as many places. Empty: there is room in none. Where it stands is kept clear of labels.
-std::optional<CornerPlace> place_in_corner(const std::vector<ScreenBox>& places, std::size_t places_of_form,
-                                           LabelPlacer& labels, CornerMemory& memory);
-
-enum class Corner : std::uint8_t { upper_left, upper_right, lower_left, lower_right };
-ScreenBox box_in_corner(Corner corner, const Vector<2>& extent, const Vector<2>& size, double margin);
 
 }  // namespace ghostforce

@@ -126,7 +126,6 @@ void add_goal_in_device(const View& view, Marks& marks) {
 
 // The loop that the active device went round on the last turn of the circle test, filled: what it encloses is what the
 // energy of the turn is about.
-
 void add_loop(const View& view, Marks& marks) {
   if (!view.turn_s) return;
   const StrategyId id = view.settings.active;
@@ -139,8 +138,6 @@ void add_loop(const View& view, Marks& marks) {
   marks.push_back({Role::area, id, Area{std::move(loop), colour.with_alpha(60)}});
 }
 
-// What the hand at a device is told to aim at: a target on the wall, and the line straight into the wall at it.
-
 namespace {
 
 constexpr double target_radius = 12.0;  // [points]
@@ -148,6 +145,7 @@ constexpr double line_length = 60.0;    // into the wall [points]
 
 }  // namespace
 
+// What the hand at a device is told to aim at: a target on the wall, and the line straight into the wall at it.
 void add_target(const View& view, Marks& marks) {
   if (!view.target) return;
   const Vector<2> inwards = -wall_of(view.settings).normal;
@@ -163,8 +161,6 @@ void add_target(const View& view, Marks& marks) {
   }
 }
 
-// Thin rings where the closed form puts proxy and device at rest: the simulation has to come to them by itself.
-
 namespace {
 
 constexpr double device_ring = 15.5;  // around the device's marker [points]
@@ -172,6 +168,7 @@ constexpr double proxy_ring = 13.0;
 
 }  // namespace
 
+// Thin rings where the closed form puts proxy and device at rest: the simulation has to come to them by itself.
 void add_predictions(const View& view, Marks& marks) {
   const StrategyId id = view.settings.active;
   const Equilibrium<2> rest = equilibrium_of(id, view.settings, view.snapshot.goal);

@@ -1,8 +1,6 @@
 // MomentHistory: the last minute, tick by tick, each with the settings under which it ran, so that a person can look at
-// any moment of it again. Bounded: a window that runs for days holds no more. One thread.
-//
-// It is the minute before the last tick that changed anything that can be seen. Of a rest, in which nothing changes,
-// only the newest ticks are kept: however long somebody talks over a picture that stands still, what led to it stays.
+// any moment of it again; and what counts as a change that can be seen. Bounded: a window that runs for days holds no
+// more. One thread.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +15,7 @@
 
 namespace ghostforce {
 
-// ShownMoment: a tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is
+// A tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is
 // the active one is the person's choice, whenever the moment was. Refers to a snapshot that others hold.
 struct ShownMoment {
   Settings settings;
@@ -25,14 +23,16 @@ struct ShownMoment {
   bool is_past = false;  // somebody looks back: nothing newer than this is to be seen
 };
 
+// It is the minute before the last tick that changed anything that can be seen. Of a rest, in which nothing changes,
+// only the newest ticks are kept: however long somebody talks over a picture that stands still, what led to it stays.
 class MomentHistory {
  public:
   static constexpr std::size_t capacity = PlotHistory::capacity;  // ticks; over a minute at 1 kHz
   static constexpr double span_s = 60.0;                          // and no more than that, of model time
   static constexpr std::size_t resting_capacity = 4096;           // ticks of a rest
 
-  // `settings`: those under which this tick ran. A tick that is not later than the newest is left out: the one that a run
-  // goes on from comes twice. Asks for memory once in a thousand ticks at most, and no more once it is full.
+  // `settings`: those under which this tick ran. A tick that is not later than the newest is left out: the one that a
+  // run goes on from comes twice. Asks for memory once in a thousand ticks at most, and no more once it is full.
   void add(const Snapshot& snapshot, const Settings& settings);
   void clear();
 
@@ -101,15 +101,14 @@ class MomentHistory {
 // Where a device was in the newest `turn_s` of them, thinned out; fewer points where there is no such time.
 std::vector<Vector<2>> last_loop(const MomentHistory& moments, StrategyId id, double turn_s);
 
-// Whether two ticks look the same in a picture. Pure.
-
 // What is less than this nobody sees.
 struct LeastVisible {
   double step = 0.0;   // of a place [m]
   double force = 0.0;  // [N]
 };
 
-// Against what was seen, not against the tick before: what creeps is noticed in the end.
+// Whether two ticks look different in a picture. `seen` is the tick that was seen last, not the one before `now`: what
+// creeps is then noticed in the end.
 bool differs_visibly(const Snapshot& seen, const Snapshot& now, const LeastVisible& least) noexcept;
 
 }  // namespace ghostforce

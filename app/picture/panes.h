@@ -1,5 +1,6 @@
-// Panes: the picture of a scene as one piece, or as one beside the other for the comparison. Each pane is a camera and
-// its marks; together they fill the rectangle. Pure, like compose().
+// The picture of a scene: one pane, or one beside the other for the comparison. Each pane is a camera and its marks;
+// together they fill the rectangle. Pure: reads no clock, no device, no global. The same input gives the same picture,
+// in the window, in a PNG and in a test.
 #pragma once
 
 #include <vector>
@@ -12,12 +13,9 @@
 
 namespace ghostforce {
 
-// compose: (settings, snapshot, history, camera, theme) → marks, and nothing else. Reads no clock, no device, no
-// global: the same input gives the same picture, in the window, in a PNG and in a test. One file per layer.
-
-// `memory`: where words stood in the picture before, `interval_s` ago; as it is made: there was none. `earlier`: marks of
-// an earlier picture, to be thrown away; the new ones take their room, which a screen that is drawn sixty times a second
-// need not ask the system for each time.
+// The marks of one pane, layer by layer (layers.h). `memory`: where words stood in the picture before, `interval_s`
+// ago; as it is made: there was none. `earlier`: marks of an earlier picture, to be thrown away; the new ones take
+// their room, which a screen that is drawn sixty times a second need not ask the system for each time.
 Marks compose(const View& view, PaneMemory& memory, double interval_s = 0.0, Marks earlier = {});
 
 struct Pane {

@@ -1,6 +1,5 @@
-// PlotHistory: the quantities of every tick of the last minute or so, kept at several degrees of coarseness, so that a
-// plot costs the same whether it shows one second or all of them. Bounded: a window that runs for days holds no more.
-// One thread.
+// What the plots draw of the last minute or so: the quantities of every tick (PlotHistory), and how stiff the hand has
+// been found to be (HandHistory). Bounded: a window that runs for days holds no more. One thread.
 #pragma once
 
 #include <array>
@@ -23,6 +22,8 @@ struct PlotBucket {
   std::array<PerStrategy<double>, quantity_count> greatest{};
 };
 
+// Ticks are kept at several degrees of coarseness, so that a plot costs the same whether it shows one second or all of
+// them.
 class PlotHistory {
  public:
   static constexpr std::size_t capacity = 65536;  // ticks; over a minute at 1 kHz
@@ -64,8 +65,7 @@ class PlotHistory {
   double newest_s_ = -1.0;
 };
 
-// HandHistory: how stiff the hand has been found to be over the last minute, beside what was believed of it and, where
-// that is known, what it was given. Bounded: a window that runs for days holds no more. One thread.
+// How stiff the hand has been found to be, beside what was believed of it and, where that is known, what it was given.
 struct HandPoint {
   double time_s = 0.0;                // model time
   HandEstimate estimate{};            // the newest by then

@@ -1,5 +1,5 @@
-// Upright rectangles on the screen (y down, points), and what of a line lies in one: for those who place words beside
-// lines. Pure, any thread.
+// Upright rectangles on the screen (y down, points), what of a line lies in one, and a pen for what has its place
+// there: for those who place words beside lines, legend and scale bars. Any one thread.
 #pragma once
 
 #include <algorithm>
@@ -69,7 +69,7 @@ inline bool clip(const ScreenBox& box, ScreenPiece& piece) noexcept {
   return true;
 }
 
-// ScreenPen: draws what has its place on the screen, not in the world, in points of the picture (y down). One thread.
+// Draws what has its place on the screen, not in the world.
 struct ScreenPen {
   const View& view;
   Marks& marks;

@@ -1,4 +1,5 @@
-// Words broken into lines that are about as long as each other, so that no word is left alone. Pure, any thread.
+// Words and numbers as a person reads them: words broken into lines that are about as long as each other, so that no
+// word is left alone; numbers with a real minus sign (U+2212), and never "−0". Pure, any thread.
 #pragma once
 
 #include <string>
@@ -15,8 +16,6 @@ std::vector<std::string> broken_into_lines(std::string_view words, double width,
 
 // Two lines; a single word stays one.
 std::vector<std::string> broken_in_two(std::string_view words, const TextStyle& style, const MeasureText& measure);
-
-// Numbers as a person reads them: with a real minus sign (U+2212), and never "−0". Pure; any thread.
 
 // "−19.4", "0.0", "3.6".
 std::string decimal_text(double value, int decimals);

@@ -1,5 +1,6 @@
 // A run driven once more through the tick: does the same build make the same numbers of the same hand and settings, bit
-// for bit, and another one numbers that are the same but for rounding? Not for the servo thread.
+// for bit, and another one numbers that are the same but for rounding? And its hand alone, as a path that another scene
+// can play. Pure, but not for the servo thread.
 #pragma once
 
 #include <array>
@@ -107,11 +108,8 @@ class Replay {
 // A whole run that is held in memory. It must tell its scene.
 ReplayReport replay(const Run& run, const std::function<void(const ReplayedTick&)>& on_tick = {});
 
-// The hand of a run, played once more: the way that it went, and where it begins, from the state that was recorded,
-// where that holds, else at rest. Pure, any thread.
-
-// The hand as a path that starts at 0 s, made while the run is read: one waypoint per tick, up to where the run was
-// reset if it was.
+// The hand of a run as a path that starts at 0 s, made while the run is read: one waypoint per tick, up to where the
+// run was reset if it was.
 class HandPath {
  public:
   // `rate`: that of the loop that plays it [Hz]; 0: the run's own, with which its length was looked at already.
@@ -150,12 +148,14 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state);
 // `first`. The run must tell its scene.
 Scene scene_since(const RunFacts& run, const RunTick& first);
 
-// k = 0. `scene`: the one that it will be played in; a state that was recorded under other settings is of no use to
-// these, nor is a real device's to a simulated one. `first`: the run's first tick.
 struct ReplayStart {
-  TickState<2> state;
-  bool is_recorded;  // else at rest
+  TickState<2> state;  // k = 0
+  bool is_recorded;    // else at rest
 };
+
+// Where the hand of a run begins when it is played in `scene`: from the state that was recorded, where that holds, else
+// at rest. A state that was recorded under other settings is of no use to these, nor is a real device's to a simulated
+// one. `first`: the run's first tick.
 ReplayStart replay_start(const RunFacts& run, const RunTick& first, const Scene& scene);
 
 }  // namespace ghostforce

@@ -89,8 +89,8 @@ class Application {
   // last call.
   void update(double interval_s);
 
-  // The computer is about to sleep, or has slept: until it has, motors go off and stay off. Returns whether it has to wait
-  // for them. Before update().
+  // The computer is about to sleep, or has slept: until it has, motors go off and stay off. Returns whether it has to
+  // wait for them. Before update().
   bool delays_sleep(bool is_coming);
 
   // Something that can be seen is other than in the last frame, or moves by itself. What the person does to the window

@@ -35,8 +35,8 @@ class ClipSaving {
   void begin(const SaveClip& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
              const FilePainter& painter, std::string_view text);
 
-  // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed the
-  // clip is given up.
+  // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed
+  // the clip is given up.
   void poll(Session& session);
 
   bool is_running() const noexcept { return worker_.has_value(); }

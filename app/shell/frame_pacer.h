@@ -8,8 +8,8 @@
 
 namespace ghostforce {
 
-// How long a window waits for the person between two looks at what there is to draw. Displays without vertical sync would
-// otherwise draw as fast as they can. The time is that of any clock that does not go back.
+// How long a window waits for the person between two looks at what there is to draw. Displays without vertical sync
+// would otherwise draw as fast as they can. The time is that of any clock that does not go back.
 class FramePacer {
  public:
   explicit FramePacer(double now_s) : last_stir_s_(now_s) {}

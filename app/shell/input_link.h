@@ -1,7 +1,7 @@
 // InputLink: what the window does with the input in use, frame by frame, and what that input shows on the screen. The
 // servo owns the input; its link, made together with it, is the only one here that knows of which class it is. A new
-// input with something to show is a file for the input, a file for its link, and a row in each catalog. A link is for the
-// UI thread; the lists of inputs are for any, and to make an input allocates and may throw.
+// input with something to show is a file for the input, a file for its link, and a row in each catalog. A link is for
+// the UI thread; the lists of inputs are for any, and to make an input allocates and may throw.
 #pragma once
 
 #include <functional>

@@ -1,8 +1,8 @@
-// Keyboard: hands each key press to whom it is for: a field that somebody types into, the control that has the focus, or
-// the table of keys. One after another, so that many presses before a slow frame do the same as each before a frame of
-// its own: what a press has asked for is done before the next one is looked at, and a press that changes who gets the
-// next one makes that wait until the screen has followed. Between frames, UI thread. Which key was pressed, on whatever
-// keyboard, is found by pure functions, any thread.
+// Keyboard: hands each key press to whom it is for: a field that somebody types into, the control that has the focus,
+// or the table of keys. One after another, so that many presses before a slow frame do the same as each before a frame
+// of its own: what a press has asked for is done before the next one is looked at, and a press that changes who gets
+// the next one makes that wait until the screen has followed. Between frames, UI thread. Which key was pressed, on
+// whatever keyboard, is found by pure functions, any thread.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// A value of a recorded session's line as text, and back: what kinds of values Actions have. What has a name is written by
-// it, numbers in the shortest form that reads back exactly. Pure; any thread.
+// A value of a recorded session's line as text, and back: what kinds of values Actions have. What has a name is written
+// by it, numbers in the shortest form that reads back exactly. Pure; any thread.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // LookingBack: which moment the window shows: the present one, or one of the last minute at which a person looks again
-// (StageChoice::looks_back_to_s). Only the picture goes back: the session's settings, the servo and what is recorded know
-// nothing of it. UI thread.
+// (StageChoice::looks_back_to_s). Only the picture goes back: the session's settings, the servo and what is recorded
+// know nothing of it. UI thread.
 #pragma once
 
 #include "app/picture/moment_history.h"

@@ -29,9 +29,9 @@ class Screen {
   // What was pressed since the last time. `apply` does it at once.
   void take_keys(const Session& session, const ActionSink& apply);
 
-  // Draws and shows one frame, `interval_s` after the one before; what the person does goes to `apply`. Nothing is drawn
-  // while the window has no pixels. `moment` is what the frame shows: at present, the session's own settings,
-  // so that a change shows at once; while somebody looks back, those of that time.
+  // Draws and shows one frame, `interval_s` after the one before; what the person does goes to `apply`. Nothing is
+  // drawn while the window has no pixels. `moment` is what the frame shows: at present, the session's own settings, so
+  // that a change shows at once; while somebody looks back, those of that time.
   void draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
             const LoopReading& loop, double interval_s);
 

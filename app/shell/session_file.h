@@ -1,6 +1,6 @@
-// A session as a file: how it began, and what the person did then, a line for each Action with its time; and the recorder
-// that writes it. For bug reports, tutorials and what a monkey did. docs/sessions.md describes the format. Not for the
-// servo thread.
+// A session as a file: how it began, and what the person did then, a line for each Action with its time; and the
+// recorder that writes it. For bug reports, tutorials and what a monkey did. docs/sessions.md describes the format. Not
+// for the servo thread.
 #pragma once
 
 #include <cstddef>
@@ -55,8 +55,8 @@ RecordedSession read_session(std::string_view text, std::string_view shown_path)
 // Throws ReadError; Failure(interrupted).
 RecordedSession load_session(const std::string& path);
 
-// Writes down what the person does, line by line as it comes: each is in the file before the Action is done, so that the
-// last line of a program that has crashed is what made it crash. UI thread.
+// Writes down what the person does, line by line as it comes: each is in the file before the Action is done, so that
+// the last line of a program that has crashed is what made it crash. UI thread.
 class SessionRecorder {
  public:
   // A new file. Throws Failure(file_trouble), also where there is one already.

@@ -1,6 +1,6 @@
 // SessionReplay: a recorded session done again, in frames of one length, so that the same file always gives the same
-// values. The hand of a device is not in the file, and nothing that lasts is done: no file is written, nothing is copied,
-// the window stays, and only simulated motors push. UI thread.
+// values. The hand of a device is not in the file, and nothing that lasts is done: no file is written, nothing is
+// copied, the window stays, and only simulated motors push. UI thread.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// SpaceMouseInputLink: to a SpaceMouse: its settings one way, what is known of it and of its cap the other. Each front of
-// the program finds the device in its own way, and says in its own words why there is none. UI thread.
+// SpaceMouseInputLink: to a SpaceMouse: its settings one way, what is known of it and of its cap the other. Each front
+// of the program finds the device in its own way, and says in its own words why there is none. UI thread.
 #pragma once
 
 #include "app/shell/input_link.h"

@@ -1,5 +1,5 @@
-// VisibleState: what a frame shows of servo, input and session that can change while the person does nothing, as a value
-// that outlives them. Two that do not look other make the same picture. UI thread.
+// VisibleState: what a frame shows of servo, input and session that can change while the person does nothing, as a
+// value that outlives them. Two that do not look other make the same picture. UI thread.
 #pragma once
 
 #include <optional>

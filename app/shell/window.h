@@ -1,5 +1,5 @@
-// A window with OpenGL and Dear ImGui in it: what all windows have in common. What a platform does is for a class of its
-// own: the desktop's GlfwWindow, on a display or offscreen. With the few things that all that is drawn in a window
+// A window with OpenGL and Dear ImGui in it: what all windows have in common. What a platform does is for a class of
+// its own: the desktop's GlfwWindow, on a display or offscreen. With the few things that all that is drawn in a window
 // agrees on: windows of Dear ImGui that stand still, and how much of them a picture shows. Main thread only, one window
 // at a time.
 #pragma once
@@ -177,10 +177,8 @@ class Window {
 // What Dear ImGui calls one of keys.h; ImGuiKey_None where it has no name for it. Pure, any thread.
 ImGuiKey imgui_key(int key) noexcept;
 
-// --- What is drawn in it: windows of Dear ImGui that stand still ---
-
-// The whole screen is one, and so are the pieces that it is divided into. Tab goes through all pieces of a screen, in the
-// order in which they are drawn.
+// Windows of Dear ImGui that stand still: the whole screen, and the pieces that it is divided into. Tab goes through
+// all pieces of a screen, in the order in which they are drawn.
 inline constexpr ImGuiWindowFlags fixed_window =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 inline constexpr ImGuiWindowFlags fixed_bar = fixed_window | ImGuiWindowFlags_NoScrollWithMouse;

@@ -1,5 +1,5 @@
-// GuessGame: predict, then reveal. The person drags a ring to where the handle should come to rest; then the hand presses
-// in once more, slowly, and the distance is the score. UI thread.
+// GuessGame: predict, then reveal. The person drags a ring to where the handle should come to rest; then the hand
+// presses in once more, slowly, and the distance is the score. UI thread.
 #pragma once
 
 #include <optional>

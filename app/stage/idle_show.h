@@ -1,5 +1,5 @@
-// IdleShow: left alone, the stage shows the slide by itself, until somebody touches it. UI thread. What it shows comes by
-// closed form, so that nothing of it reaches the simulation: StageShow, pure, any thread.
+// IdleShow: left alone, the stage shows the slide by itself, until somebody touches it. UI thread. What it shows comes
+// by closed form, so that nothing of it reaches the simulation: StageShow, pure, any thread.
 #pragma once
 
 #include "app/state/session.h"

@@ -1,5 +1,5 @@
-// The landscape as marks: "where is it bad?". A map of every wall and every hand, with a ring at the present ones, and a
-// dial from naïve to optimal rendering that drains the map's colour away. Pure, any thread.
+// The landscape as marks: "where is it bad?". A map of every wall and every hand, with a ring at the present ones, and
+// a dial from naïve to optimal rendering that drains the map's colour away. Pure, any thread.
 #pragma once
 
 #include <string>

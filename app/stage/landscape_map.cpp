@@ -84,8 +84,8 @@ std::vector<Vector<2>> places_along(const DrawnContour& contour, const Landscape
   return places;
 }
 
-// Upon its line, which its halo breaks: between two lines one would not know to which of them it belongs. The first place
-// from the top that is free and that no other line crosses; false where there is none.
+// Upon its line, which its halo breaks: between two lines one would not know to which of them it belongs. The first
+// place from the top that is free and that no other line crosses; false where there is none.
 bool add_contour_label(const LandscapeView& view, const LandscapeLayout& layout, const DrawnContour& contour,
                        const std::vector<DrawnContour>& contours, LandscapeWords& words) {
   const TextStyle drawn = words.style(1.0);

@@ -51,8 +51,8 @@ class LandscapeWords {
     return taken_.back();
   }
 
-  // In lines of one em below each other, broken in the first way that fits the room; the last, smaller, where none does.
-  // Returns their lower end.
+  // In lines of one em below each other, broken in the first way that fits the room; the last, smaller, where none
+  // does. Returns their lower end.
   double put_lines(Role role, const LineBreaks& ways, Colour colour, const Vector<2>& place, double room,
                    double across = 0.0);
   double height_of_lines(const LineBreaks& ways, double room) const;

@@ -1,5 +1,5 @@
-// What surrounds the scene in a lesson: its title, how far one has come, the way out; the mark beside the text; and below
-// the answers, the slider and the ways back and on.
+// What surrounds the scene in a lesson: its title, how far one has come, the way out; the mark beside the text; and
+// below the answers, the slider and the ways back and on.
 #include <algorithm>
 #include <numbers>
 

@@ -1,5 +1,5 @@
-// StageContent: all that the stage is drawn from, and StageFrame, from which a frame of it is made. Values, read only; any
-// thread.
+// StageContent: all that the stage is drawn from, and StageFrame, from which a frame of it is made. Values, read only;
+// any thread.
 #pragma once
 
 #include <cstdint>

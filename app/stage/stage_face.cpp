@@ -163,8 +163,8 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
   }
 }
 
-// What a person moves is there at once. A view that fits what has happened is glided to: when the handle or the hand has
-// left the scene, and nobody holds anything.
+// What a person moves is there at once. A view that fits what has happened is glided to: when the handle or the hand
+// has left the scene, and nobody holds anything.
 void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
   constexpr double glides_s = 0.12;  // until two thirds of the way
   const bool is_other_scene = scene_ != session.scene;
@@ -214,8 +214,8 @@ void StageFace::update(Session& session, const ActionSink& apply, const StageFra
 
 namespace {
 
-// What is being turned is shown as the loop has it, so that all of the picture is of one moment: settings that it has not
-// seen yet come with the next frame.
+// What is being turned is shown as the loop has it, so that all of the picture is of one moment: settings that it has
+// not seen yet come with the next frame.
 ShownMoment of_one_moment(const Session& session, const StageFrame& frame) {
   const auto newest = frame.history.moments().newest();
   const bool is_live = !session.paused && !frame.shown.is_past;

@@ -1,5 +1,5 @@
-// StageLesson: what the stage shows of a lesson, as words and values: a text instead of the sentence, and buttons instead
-// of those of the stage. Values, read only; any thread.
+// StageLesson: what the stage shows of a lesson, as words and values: a text instead of the sentence, and buttons
+// instead of those of the stage. Values, read only; any thread.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-// StageLayout: where words, numbers, buttons and icons of the stage stand, those of a lesson too; and StageMeasuring, what
-// the stage shows of measuring the hand. Values, read only; points of the window, y down; any thread.
+// StageLayout: where words, numbers, buttons and icons of the stage stand, those of a lesson too; and StageMeasuring,
+// what the stage shows of measuring the hand. Values, read only; points of the window, y down; any thread.
 #pragma once
 
 #include <optional>
@@ -32,7 +32,8 @@ struct StageMeasuring {
   bool has_trouble() const noexcept { return why != HandUnknown::none; }
 };
 
-// The words of the button that has the hand measured, of which there are several: letters are as large with all of them.
+// The words of the button that has the hand measured, of which there are several: letters are as large with all of
+// them.
 struct StageMeasuringButton {
   std::string words;
   std::string longest;

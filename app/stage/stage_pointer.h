@@ -1,6 +1,6 @@
-// StagePointer: what the mouse does on the stage. Drag: the hand follows; the ends of the motor's rail and the wall's grips
-// turn them (in steps of 5°, with Ctrl without steps); buttons; the wheel zooms, a right drag moves the picture; and what
-// the mode has to take hold of. Between ImGui's NewFrame and Render, UI thread.
+// StagePointer: what the mouse does on the stage. Drag: the hand follows; the ends of the motor's rail and the wall's
+// grips turn them (in steps of 5°, with Ctrl without steps); buttons; the wheel zooms, a right drag moves the picture;
+// and what the mode has to take hold of. Between ImGui's NewFrame and Render, UI thread.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
-// Why?: the triangle of forces builds itself where the handle should rest: the wall's push, what one motor can give of it,
-// what nobody gives, and the excess that follows.
+// Why?: the triangle of forces builds itself where the handle should rest: the wall's push, what one motor can give of
+// it, what nobody gives, and the excess that follows.
 #include <glm/geometric.hpp>
 
 #include "app/stage/stage_layers.h"

@@ -1,6 +1,6 @@
-// Action: what a person does, as a value, one struct for each thing. Keys, buttons, pointer, panels and dialogs make them;
-// permit.h says what is allowed at the moment, and apply.h does it. What only the shell can do, as to write a file, is an
-// Effect as well. Values; any thread.
+// Action: what a person does, as a value, one struct for each thing. Keys, buttons, pointer, panels and dialogs make
+// them; permit.h says what is allowed at the moment, and apply.h does it. What only the shell can do, as to write a
+// file, is an Effect as well. Values; any thread.
 #pragma once
 
 #include <cstddef>

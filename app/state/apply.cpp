@@ -282,13 +282,15 @@ void act(Session& session, const AcknowledgeOff&) {
 // It never quits.
 void act(Session& session, const Escape&) {
   ++session.offs_asked;
+  // Whoever stops the motors goes on seeing why that was needed; a second one closes what is open.
+  if (session.motors_may_push) return;
   const bool was_black = std::exchange(session.stage.is_black, false);
   const bool closes_more = was_black || session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;
   if (session.lesson) {
-    if (!session.motors_may_push && !permit(session, LeaveLesson{})) leave_lesson(session);
+    if (!permit(session, LeaveLesson{})) leave_lesson(session);
   } else if (session.stage.looks_back_to_s) {
     go_on_live(session);
   } else if (session.stage.mode != StageMode::none) {

@@ -153,7 +153,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     called(&Name::blank, {key::b, none, "B", {}, ToggleBlank{}}),
 
     bound(keys.device_status, &Name::device_status, ToggleDialog{Dialog::doctor}, true, "Device"),
-    KeyBinding{key::escape, none, "Esc", "Motors off; close what is open (never quits)", Escape{}, false, true},
+    KeyBinding{key::escape, none, "Esc", "Motors off; once they are off, close what is open (never quits)", Escape{}, false, true},
 
     called(&Name::undo, {key::z, ctrl, "Ctrl+Z", {}, Undo{}, true, false, "Undo, files, clipboard"}),
     called(&Name::redo, {key::z, ctrl | shift, "Ctrl+Shift+Z", "Redo; also Ctrl+Y", Redo{}, true}),

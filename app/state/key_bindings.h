@@ -14,8 +14,8 @@
 
 namespace ghostforce {
 
-// As it happened, with the modifiers of that moment. ImGui tells which keys are down once per frame; where a frame takes
-// as long as a quick chord, Alt+R would be an R.
+// As it happened, with the modifiers of that moment. ImGui tells which keys are down once per frame; where a frame
+// takes as long as a quick chord, Alt+R would be an R.
 struct KeyPress {
   int key = 0;        // one of keys.h; letters, digits and signs as the keyboard's layout has them
   int modifiers = 0;  // modifier::shift | modifier::control | modifier::alt | modifier::super

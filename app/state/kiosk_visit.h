@@ -24,8 +24,8 @@ struct SignsOfLife {
       handle{};  // of a device that a person holds; empty: there is none, or nobody knows where [m]
 };
 
-// Often. Starts again, and has the motors turned off, when there has been no hand for kiosk_visit_ends_after_s. Does nothing
-// in an ordinary run.
+// Often. Starts again, and has the motors turned off, when there has been no hand for kiosk_visit_ends_after_s. Does
+// nothing in an ordinary run.
 void follow_kiosk_visit(Session& session, const SignsOfLife& signs, double interval_s);
 
 // Nobody has touched anything since the start, and the step that is shown lets the hand be moved without asking

@@ -1,6 +1,7 @@
 // The landscape: how bad the ghost force is at any wall and any hand, by closed form. Across, the angle θ between the
-// wall's normal and the motor; upwards, κ = k_r/k_u. Its value is the ghost force along the motor as a share of the push
-// that the wall should give: of |f_r| of the fully actuated device. Depth does not matter: both grow with it alike.
+// wall's normal and the motor; upwards, κ = k_r/k_u. Its value is the ghost force along the motor as a share of the
+// push that the wall should give: of |f_r| of the fully actuated device. Depth does not matter: both grow with it
+// alike.
 //
 //     ε  = k_t/k_c,  ρ* = 1 + κ                                               (17)
 //     |f_r|      = k_r d / (ρ* + ε)                                           (11), fully actuated
@@ -59,10 +60,10 @@ NumberRange ghost_share_range(const Landscape& landscape) noexcept;
 
 LandscapePoint landscape_point(const Settings& settings) noexcept;
 
-// Turns the wall about its own point and makes the renderer so stiff that the set-up lies at `point`. k_t stays, and with
-// it ε: the map stands still while one drags. The wall stays on its side of the motor, and the normal in its quadrant,
-// however far one drags: at 0° and 90° it stops a micro-radian short of where both sides would be the same. k_r stays
-// within what a scene may hold, so that κ may stop short of what was asked for.
+// Turns the wall about its own point and makes the renderer so stiff that the set-up lies at `point`. k_t stays, and
+// with it ε: the map stands still while one drags. The wall stays on its side of the motor, and the normal in its
+// quadrant, however far one drags: at 0° and 90° it stops a micro-radian short of where both sides would be the same.
+// k_r stays within what a scene may hold, so that κ may stop short of what was asked for.
 Settings with_landscape_point(Settings settings, const LandscapePoint& point) noexcept;
 
 }  // namespace ghostforce

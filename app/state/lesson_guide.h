@@ -17,8 +17,8 @@ void leave_lesson(Session& session);
 // The same, but for what is on the screen: another scene takes its place.
 void abandon_lesson(Session& session);
 
-// Goes on: a question that is still open is answered for the person, without a score; else the next step is shown. After
-// the last one the lesson is finished, and the picker of lessons opens, or a visitor's next lesson begins.
+// Goes on: a question that is still open is answered for the person, without a score; else the next step is shown.
+// After the last one the lesson is finished, and the picker of lessons opens, or a visitor's next lesson begins.
 void next_lesson_step(Session& session);
 // Back to the step before, as it was last stated; before the first nothing happens.
 void previous_lesson_step(Session& session);
@@ -64,7 +64,8 @@ struct LessonScore {
 };
 LessonScore score_of(const LessonState& lesson) noexcept;
 
-// What of the world a step shows: its hand, before and after the question is answered, so that the picture stands still.
+// What of the world a step shows: its hand, before and after the question is answered, so that the picture stands
+// still.
 SceneView lesson_view(const Session& session);
 // Whose arrow has the usual length: the strongest push of the whole lesson, so that arrows of its steps can be compared
 // [N].

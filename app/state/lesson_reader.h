@@ -1,6 +1,6 @@
-// How the file of a lesson is read: what it calls its controls, secrets and questions, how long its words may be, and the
-// reader itself. The reader and the docs' test walk the same lists, which are immutable, any thread; a reader is for one
-// thread.
+// How the file of a lesson is read: what it calls its controls, secrets and questions, how long its words may be, and
+// the reader itself. The reader and the docs' test walk the same lists, which are immutable, any thread; a reader is
+// for one thread.
 #pragma once
 
 #include <array>

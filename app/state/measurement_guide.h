@@ -15,15 +15,16 @@ namespace ghostforce {
 
 bool is_measuring(const Session& session) noexcept;
 
-// The screen keeps what the measurement is to find out, or what theory makes of it: until it has ended, and of a hand that
-// is simulated until the person asks for its given stiffness.
+// The screen keeps what the measurement is to find out, or what theory makes of it: until it has ended, and of a hand
+// that is simulated until the person asks for its given stiffness.
 bool hides_answer(const Session& session) noexcept;
 
 // The curves of theory know the hand, and so does what was measured live: they are nowhere to be seen while a person
 // measures it.
 bool hides_curves(const Session& session) noexcept;
 
-// Shows what was hidden. The measurement of a hand that was given its stiffness is not blind any more unless it has ended.
+// Shows what was hidden. The measurement of a hand that was given its stiffness is not blind any more unless it has
+// ended.
 void reveal_hand(Session& session) noexcept;
 
 // From the state that the session is in. The input stays: the first step says so where it never rests.

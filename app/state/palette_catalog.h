@@ -24,9 +24,9 @@ struct PaletteEntry {
 // Of this front, as things are.
 std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop);
 
-// The numbers of the entries in which what somebody has typed is found. Each word must occur, in small or large letters,
-// with or without accents. The best match comes first, what can be done before what cannot, and then as in the catalog;
-// without words, all. Any thread.
+// The numbers of the entries in which what somebody has typed is found. Each word must occur, in small or large
+// letters, with or without accents. The best match comes first, what can be done before what cannot, and then as in the
+// catalog; without words, all. Any thread.
 std::vector<std::size_t> find_in_palette(std::span<const PaletteEntry> entries, std::string_view sought);
 
 // In small letters without accents.

@@ -1,5 +1,5 @@
-// What part of the world a person may look at, which is as much as a scene's file can hold; and the scene as it would be
-// saved with that view. Pure, any thread.
+// What part of the world a person may look at, which is as much as a scene's file can hold; and the scene as it would
+// be saved with that view. Pure, any thread.
 #pragma once
 
 #include "app/picture/pane_views.h"

@@ -61,8 +61,8 @@ struct LessonStepState {
   friend bool operator==(const LessonStepState&, const LessonStepState&) = default;
 };
 
-// Where a person is in a lesson, what they have answered, and what they had on the screen before. lesson_guide.h changes
-// it.
+// Where a person is in a lesson, what they have answered, and what they had on the screen before. lesson_guide.h
+// changes it.
 struct LessonState {
   // The hand on its way to where a step wants it.
   struct Glide {

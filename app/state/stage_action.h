@@ -1,5 +1,5 @@
-// StageAction: what a press on a part of the stage asks for, and the Action that it becomes. The button of the motors is
-// among them. Values, any thread; the functions are pure, UI thread.
+// StageAction: what a press on a part of the stage asks for, and the Action that it becomes. The button of the motors
+// is among them. Values, any thread; the functions are pure, UI thread.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@
 
 namespace ghostforce {
 
-// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, a link to what is
-// shown, the motors on or off, the picker of lessons; the step before, the next step of the mode or the lesson that is
-// on; the end of the lesson; its next language; to move its slider; to measure the hand, or use what was measured.
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, a link to what
+// is shown, the motors on or off, the picker of lessons; the step before, the next step of the mode or the lesson that
+// is on; the end of the lesson; its next language; to move its slider; to measure the hand, or use what was measured.
 enum class StageCommand : std::uint8_t {
   keys,
   link,
@@ -47,8 +47,8 @@ struct StageKeys {
 // What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged.
 std::optional<Action> action_of_button(const StageAction& button, const MotorReport& motors);
 
-// The one button of the motors: reads why they are off, arms them, turns them off, or says what is missing. What it does
-// is what its words ask for.
+// The one button of the motors: reads why they are off, arms them, turns them off, or says what is missing. What it
+// does is what its words ask for.
 std::string motor_words(const MotorReport& motors, const StageLanguage& language);
 std::optional<Action> action_of_motor_button(const MotorReport& motors);
 

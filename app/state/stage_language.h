@@ -1,7 +1,7 @@
 // StageLanguage: all words of the stage, of lessons and of the palette that are the program's own, in one language.
 // Immutable, any thread. The build makes the struct and its tables of assets/languages (cmake/languages.py): a table
-// there is a struct here, a key a std::string_view, and a language is one file. english_stage and spanish_stage are named
-// after their files.
+// there is a struct here, a key a std::string_view, and a language is one file. english_stage and spanish_stage are
+// named after their files.
 //
 // "{}" stands for a number or a name that is put in. Numbers keep their decimal point and their units in all languages.
 #pragma once

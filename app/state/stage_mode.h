@@ -1,6 +1,6 @@
-// What the window can show: its two faces, and the modes of the stage, which are further things to do there, each on one
-// key. The one list of either that the keys, the strip of icons, the command line, files and the tests walk. Immutable,
-// any thread.
+// What the window can show: its two faces, and the modes of the stage, which are further things to do there, each on
+// one key. The one list of either that the keys, the strip of icons, the command line, files and the tests walk.
+// Immutable, any thread.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// StageMoment: what the stage shows of one moment, as values in SI units: taken from a snapshot, from closed forms, or on
-// the way from one strategy to another (stage_transition.h). The layers of the stage know nothing else of the model.
+// StageMoment: what the stage shows of one moment, as values in SI units: taken from a snapshot, from closed forms, or
+// on the way from one strategy to another (stage_transition.h). The layers of the stage know nothing else of the model.
 // Pure, any thread.
 #pragma once
 

@@ -14,8 +14,8 @@ namespace ghostforce {
 std::optional<Vector<2>> target_of(const Session& session, const MotorReport& motors) noexcept;
 
 // Puts the measured strategy's ghost force and drift against the target; snapshots of a simulation stay as they are.
-// `settings`: those of the tick, with the k_r that the motors had. `has_full_force`: they gave all that was asked of them;
-// else its ghost force is not known.
+// `settings`: those of the tick, with the k_r that the motors had. `has_full_force`: they gave all that was asked of
+// them; else its ghost force is not known.
 void measure_against_target(const Vector<2>& target, const Settings& settings, bool has_full_force,
                             Snapshot& snapshot) noexcept;
 

@@ -44,8 +44,8 @@ struct SliderLimits {
   double least;
   double greatest;
 };
-// Clamps what is typed into it as well, unless the flags are others. With the keyboard's focus, an arrow changes it by a
-// hundredth of its length; Shift or Alt: by a thousandth, Ctrl: by a tenth; Home and End go to its ends.
+// Clamps what is typed into it as well, unless the flags are others. With the keyboard's focus, an arrow changes it by
+// a hundredth of its length; Shift or Alt: by a thousandth, Ctrl: by a tenth; Home and End go to its ends.
 bool slider(const char* id, double& value, const SliderLimits& limits, const char* format,
             ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp);
 

@@ -19,8 +19,8 @@ double zoom_factor(float wheel) noexcept;
 // The wheel that zooms by so much.
 float wheel_for(double zoom_factor) noexcept;
 
-// An angle in the hand. It turns by as much as the pointer has gone round the pivot since it was taken hold of, and never
-// jumps to the pointer; in steps, unless it is to turn freely.
+// An angle in the hand. It turns by as much as the pointer has gone round the pivot since it was taken hold of, and
+// never jumps to the pointer; in steps, unless it is to turn freely.
 class HeldAngle {
  public:
   static constexpr double first_turn = 2.0;  // a click is no turn yet [points]

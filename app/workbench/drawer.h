@@ -1,5 +1,5 @@
-// The drawer at the bottom with the plots, key F3, and the plots themselves; and the choice of a language. Within an ImGui
-// frame, UI thread.
+// The drawer at the bottom with the plots, key F3, and the plots themselves; and the choice of a language. Within an
+// ImGui frame, UI thread.
 #pragma once
 
 #include "app/picture/trail_history.h"

@@ -1,4 +1,5 @@
-// F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as there is room for.
+// F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as there is room
+// for.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
-// What shows from three metres away that motors may push, and turns them on and off: a button in the bar and a frame round
-// the scene.
+// What shows from three metres away that motors may push, and turns them on and off: a button in the bar and a frame
+// round the scene.
 #include "app/workbench/motor_control.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-// Pieces that several plots are made of: the house's look for ImPlot, a strategy's curve with its shape on it, and the time
-// axis of plots over time. Within an ImGui frame.
+// Pieces that several plots are made of: the house's look for ImPlot, a strategy's curve with its shape on it, and the
+// time axis of plots over time. Within an ImGui frame.
 #pragma once
 
 #include <optional>
@@ -66,8 +66,8 @@ void set_up_time_axis(PlotView& view, bool has_words, float width);
 // The upright axis, which nobody can move.
 void set_up_value_axis(double least, double greatest, float height);
 
-// Within a plot, over what is plotted: draws the cursor, and looks back where somebody clicks. Returns the time under the
-// pointer, if the pointer is there.
+// Within a plot, over what is plotted: draws the cursor, and looks back where somebody clicks. Returns the time under
+// the pointer, if the pointer is there.
 std::optional<double> draw_time_cursor(const PanelContext& context);
 
 // After the plots: the cursor of the next frame, and whether somebody has dragged the times away from the newest.

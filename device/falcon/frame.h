@@ -1,6 +1,6 @@
 // Frame: 16 bytes between host and Falcon at run time, both ways. '<', three 16-bit numbers of four nibbles each (least
 // significant first, each + 'A'), two bytes of bits (+ 'A'), '>'. The device answers each frame with exactly one;
-// ReplyMatcher tells which of the answers belongs to which. Plain values; any one thread; never allocate or throw.
+// ReplyMatcher tells to which frame an answer belongs. Plain values; any one thread; never allocate or throw.
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
 // What the servo asks while it ticks: an Input knows where the hand wants the device to be, and its HapticDevice, where
-// it has one, reads the handle and drives the motors. A PointerTarget is an input whose goal the window's pointer
-// moves.
+// it has one, reads the handle and drives the motors. A PointerTarget is an input whose goal the pointer moves.
 //
 // Input and HapticDevice belong to the servo thread: their functions never allocate, lock, throw, open files or, but
 // for HapticDevice::wait_until(), wait. SI units, in the plane of the scene.

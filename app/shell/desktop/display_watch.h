@@ -1,5 +1,5 @@
-// The display goes away while the window is open: DisplayWatch finds out, and the functions below end the program in good
-// order. UI thread, but for what says otherwise.
+// What becomes of the display while the window is open: DisplayWatch hears it from an X server, and the functions after
+// it end the program in good order when the display is lost. UI thread, but for what says otherwise.
 #pragma once
 
 #include <atomic>
@@ -19,8 +19,8 @@ enum class DisplayLoss : std::uint8_t { none, window, server };
 
 // Hears from an X server at once what becomes of a window, however long the window's own thread is busy: another client
 // takes the keyboard, destroys the window, or the server ends. It has a connection and a thread of its own. GLFW tells
-// none of this: it passes over keyboard grabs and destroyed windows, and Xlib tells of a server's end only whoever calls
-// it.
+// none of this: it passes over keyboard grabs and destroyed windows, and Xlib tells of a server's end only whoever
+// calls it.
 class DisplayWatch {
  public:
   // Of that window, which nobody has focused yet. `when_lost` is called once, on the watch's thread; null: nothing is.
@@ -55,9 +55,10 @@ class DisplayWatch {
   std::thread thread_;  // last: it uses what stands above
 };
 
-// From now on the program ends when the display is lost: the server has crashed, the session has ended, or another client
-// has destroyed the window. The X library lets nobody return from that, so the program ends from within, with words and
-// ExitCode::no_display, once what must not be lost has been put in order. Once GLFW has been initialised, with a display.
+// From now on the program ends when the display is lost: the server has crashed, the session has ended, or another
+// client has destroyed the window. The X library lets nobody return from that, so the program ends from within, with
+// words and ExitCode::no_display, once what must not be lost has been put in order. Once GLFW has been initialised,
+// with a display.
 void watch_display();
 
 // From now on an X error counts as the end of that window if it no longer exists. 0: of none.

@@ -1,6 +1,6 @@
-// EglContext: OpenGL without a display and without a window, by EGL, on a device that is named: Mesa's software renderer
-// or a graphics card. libEGL is opened when the first of them is made, so that the program also starts without it. It has
-// no framebuffer of its own: what is drawn needs a gl::Canvas. Main thread only.
+// EglContext: OpenGL without a display and without a window, by EGL, on a device that is named: Mesa's software
+// renderer or a graphics card. libEGL is opened when the first of them is made, so that the program also starts without
+// it. It has no framebuffer of its own: what is drawn needs a gl::Canvas. Main thread only.
 #pragma once
 
 #include "app/shell/desktop/renderer.h"

@@ -1,6 +1,6 @@
 // The desktop's window, by GLFW: on a display, or offscreen, where it is drawn into memory. One code path; what differs
-// is in opengl_window.h, and that an offscreen window draws on a canvas. And the monitors that it may be on. Main thread,
-// between GLFW's beginning and its end.
+// is in opengl_window.h, and that an offscreen window draws on a canvas. And the monitors that it may be on. Main
+// thread, between GLFW's beginning and its end.
 #pragma once
 
 #include <optional>

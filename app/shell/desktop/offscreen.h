@@ -32,7 +32,8 @@ namespace ghostforce {
 struct LessonPicture {
   std::shared_ptr<const Lesson> lesson;  // never null
   std::size_t step = 0;                  // from 0
-  // From 1: of a choice the answer's number; of a guess 1 a right one and 2 a wrong one; of a task 1 done and 2 given up.
+  // From 1: of a choice the answer's number; of a guess 1 a right one and 2 a wrong one; of a task 1 done and 2 given
+  // up.
   std::optional<std::size_t> answer{};
 };
 
@@ -71,8 +72,8 @@ struct PictureRequest {
 // with the others beside it, in the same picture; empty changes nothing. False where the word is none of these.
 bool apply_strategy_word(std::string_view word, PictureRequest& request);
 
-// Makes it the picture of a step: scene, face and mode are as the step has them; what no step has stated yet stays as it
-// is. Only for a picture without problems.
+// Makes it the picture of a step: scene, face and mode are as the step has them; what no step has stated yet stays as
+// it is. Only for a picture without problems.
 void show_lesson_in(PictureRequest& request, LessonPicture lesson);
 
 // The moment: the scene simulated from its beginning. Throws Failure: wrong_call for a moment that cannot be, or where
@@ -110,9 +111,10 @@ struct ClipTimes {
 std::int64_t frame_count(const ClipTimes& times) noexcept;
 double time_of_frame(const ClipTimes& times, std::int64_t i) noexcept;
 
-// Draws the scene at each of these moments, from one simulation, and by one screen: like in the window, words and panels
-// stay where they are from one picture to the next. The stage's view holds the whole way of the hand. `take` gets each
-// picture in turn. `request.at_s` has no meaning here. Throws what simulate_to_moment() and draw_moment() throw.
+// Draws the scene at each of these moments, from one simulation, and by one screen: like in the window, words and
+// panels stay where they are from one picture to the next. The stage's view holds the whole way of the hand. `take`
+// gets each picture in turn. `request.at_s` has no meaning here. Throws what simulate_to_moment() and draw_moment()
+// throw.
 void draw_clip(const PictureRequest& request, const ClipTimes& times, const std::function<void(const Image&)>& take);
 
 // What was drawn, for scripts and tests.

@@ -1,6 +1,7 @@
-// OpenGlWindow: GLFW's window with OpenGL 3.3 core, on a display or offscreen, and the memory that OpenGL needs. Offscreen
-// it is GLFW's null platform, which keeps the input side, with EGL or OSMesa beside it; neither has a framebuffer that
-// may be drawn on, so that what is drawn needs a gl::Canvas, and is the same with both. Main thread only, one at a time.
+// OpenGlWindow: GLFW's window with OpenGL 3.3 core, on a display or offscreen, and the memory that OpenGL needs.
+// Offscreen it is GLFW's null platform, which keeps the input side, with EGL or OSMesa beside it; neither has a
+// framebuffer that may be drawn on, so that what is drawn needs a gl::Canvas, and is the same with both. Main thread
+// only, one at a time.
 #pragma once
 
 #include <memory>

@@ -1,5 +1,5 @@
-// What draws offscreen: the catalog of renderers, which is immutable, any thread; the driver that is chosen for them; and
-// which of them this machine has.
+// What draws offscreen: the catalog of renderers, which is immutable, any thread; the driver that is chosen for them;
+// and which of them this machine has.
 #pragma once
 
 #include <cstdint>
@@ -41,9 +41,9 @@ struct RendererFinding {
   std::string words;        // what draws and its version, or why it cannot and what to install
 };
 
-// In the order of the catalog. Each is tried in a process of its own, so that a driver that crashes or hangs does no harm,
-// and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it while there is one
-// thread.
+// In the order of the catalog. Each is tried in a process of its own, so that a driver that crashes or hangs does no
+// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it while there is
+// one thread.
 std::vector<RendererFinding> examine_renderers();
 
 // One line about the renderer that draws where nobody asks for one, "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core

@@ -60,8 +60,8 @@ class HtmlWindow final : public Window {
   int context_losses_ = 0;
 };
 
-// The browser's name of a key, KeyboardEvent.code, which is its place on a US keyboard, as one of app/state/keys.h; 0: it
-// is none of them.
+// The browser's name of a key, KeyboardEvent.code, which is its place on a US keyboard, as one of app/state/keys.h; 0:
+// it is none of them.
 int key_of_code(std::string_view code) noexcept;
 
 }  // namespace ghostforce

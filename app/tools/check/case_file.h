@@ -1,5 +1,5 @@
-// A case of `check`: what to draw, what the picture must equal, and what its numbers must be. One TOML file each, NAME.toml; strict
-// like a scene. Not for the servo thread.
+// A case of `check`: what to draw, what the picture must equal, and what its numbers must be. One TOML file each,
+// NAME.toml; strict like a scene. Not for the servo thread.
 #pragma once
 
 #include <array>

@@ -1,4 +1,5 @@
-// The verdicts on all cases of a run, in this process or in several. Main thread only (it draws).
+// The verdicts on all cases of a run, in this process or in several, and how work is shared among processes. Main
+// thread only (it draws).
 #pragma once
 
 #include <cstdint>
@@ -29,15 +30,15 @@ struct Evaluation {
 void evaluate_all(const std::vector<Case>& all, const std::vector<const Case*>& chosen, const Evaluation& how,
                   const std::function<void(Verdict)>& take);
 
-// Work that is done piece by piece in several processes and handed over in order in this one: as if it had done it all
-// alone, only sooner. For what a process can do on its main thread alone, such as drawing. Main thread only.
-
 // A worker has ended before its piece was made; all of them are gone when this is thrown.
 struct WorkerEnded {
   std::int64_t piece = 0;  // that it should have made; negative: none
   int signal = 0;          // that ended it; 0: it ended by itself
 };
 
+// Does work piece by piece in several processes and hands it over in order in this one, as if this one had done it all
+// alone, only sooner. For what a process can do on its main thread alone, such as drawing.
+//
 // Forks `workers` processes, at most one a piece, which call make(i) for i = 0 … count−1. Calls take() here for each
 // piece in order, and holds a few pieces per worker at most. Where make(i) throws in a worker, it is called again here,
 // so that what it throws comes out here. No worker outlives the call.

@@ -1,5 +1,5 @@
-// What `check` found, as one value, and what is written of it: a page for people, XML for the machinery that runs tests,
-// and JSON for other programs. Not for the servo thread.
+// What `check` found, as one value, and what is written of it: a page for people, XML for the machinery that runs
+// tests, and JSON for other programs. Not for the servo thread.
 #pragma once
 
 #include <cstddef>

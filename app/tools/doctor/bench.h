@@ -32,8 +32,8 @@ class FalconBench {
   // Zeros until three replies have come: the device has heard it. False: it does not answer.
   bool stop() noexcept;
 
-  // Says nothing to the device for a moment; the motors stay as they are. False: this process did not run, and it became
-  // much longer; zeros have been sent then.
+  // Says nothing to the device for a moment; the motors stay as they are. False: this process did not run, and it
+  // became much longer; zeros have been sent then.
   bool be_silent(double seconds) noexcept;
 
   // A force went out, and no zero has been answered since.

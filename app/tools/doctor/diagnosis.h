@@ -1,5 +1,5 @@
-// The diagnosis: what the examination of a Falcon and a look around the machine have found, for people as text and for
-// programs as JSON. UI thread.
+// The examination of a Falcon, real or virtual, and the diagnosis: what the examination and a look around the machine
+// have found, for people as text and for programs as JSON. UI thread.
 #pragma once
 
 #include <filesystem>
@@ -18,6 +18,14 @@
 #include "device/servo/realtime_status.h"
 
 namespace ghostforce {
+
+// Drives a Falcon as in the window, by the same input, up to the last step that needs no wall, with its motors off all
+// the time. Takes seconds; the thread that calls it drives the device.
+//
+// Looks once whether the device is there, gives it firmware if it has none, waits up to `wait_s` until a person has
+// homed it and moved its handle, and measures its exchanges for a second. Ends earlier where a fault ends it. `watch`
+// sees every reading and may throw. Returns the last report before the device was let go.
+FalconReport examine(FalconInput& falcon, double wait_s, const std::function<void(const FalconReport&)>& watch);
 
 // A renderer that can draw pictures offscreen, or why it cannot.
 struct RendererState {
@@ -44,13 +52,5 @@ std::string firmware_words(const std::optional<FirmwareImage>& image);
 
 std::string text_of(const Diagnosis& diagnosis);
 std::string json_of(const Diagnosis& diagnosis);
-
-// The examination of a Falcon, real or virtual: driven as in the window, by the same input, up to the last step that
-// needs no wall, with its motors off all the time. Takes seconds; the thread that calls it drives the device.
-
-// Looks once whether the device is there, gives it firmware if it has none, waits up to `wait_s` until a person has
-// homed it and moved its handle, and measures its exchanges for a second. Ends earlier where a fault ends it. `watch`
-// sees every reading and may throw. Returns the last report before the device was let go.
-FalconReport examine(FalconInput& falcon, double wait_s, const std::function<void(const FalconReport&)>& watch);
 
 }  // namespace ghostforce

@@ -1,4 +1,5 @@
-// ghostforce doctor --measure: opens the Falcon, has it measured, and writes the report and the calibration. UI thread.
+// ghostforce doctor --measure: opens the Falcon, has it measured by a person at the terminal, and writes the report and
+// the calibration. UI thread.
 #pragma once
 
 #include <optional>
@@ -24,8 +25,8 @@ struct MeasureCall {
 // Returns the exit code. Throws Failure.
 int measure_with_doctor(const MeasureCall& call);
 
-// TerminalOperator: a person at a terminal, or a file of answers: words go to the error output, lines come from the
-// standard input. In a rehearsal a simulated person does what is asked, and answers where the line is empty. UI thread.
+// A person at a terminal, or a file of answers: words go to the error output, lines come from the standard input. In a
+// rehearsal a simulated person does what is asked, and answers where the line is empty.
 class TerminalOperator final : public Operator {
  public:
   // Null: the device is real. Else it must live as long as this.

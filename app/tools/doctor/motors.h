@@ -1,7 +1,6 @@
-// What a motor count is worth: from the counts with which the motors held the handle against a known weight, less those
-// without it, at the same places. What is the same both times cancels out: the handle's own weight, a finger on the
-// button. Friction does too, because each is the mean of moving slowly up and slowly down through the place. Pure;
-// never allocates or throws, any thread. SI units, leg order.
+// What can be found out about a Falcon's motors, from what the handle did while they pulled: what a motor count is
+// worth, which motor drives which leg, and whether the firmware drops a force by itself. Pure; never allocates or
+// throws, any thread. SI units, leg order where nothing else is said.
 #pragma once
 
 #include <array>
@@ -12,6 +11,12 @@
 #include "device/falcon/calibration.h"
 
 namespace ghostforce {
+
+// --- What a motor count is worth ---
+//
+// From the counts with which the motors held the handle against a known weight, less those without it, at the same
+// places. What is the same both times cancels out: the handle's own weight, a finger on the button. Friction does too,
+// because each is the mean of moving slowly up and slowly down through the place.
 
 // The motors' counts, by leg, at one place while the handle went slowly up and down through it.
 struct HoldReading {
@@ -44,9 +49,10 @@ struct MotorConstants {
 // At least two places, so that every motor has something to carry at one of them.
 MotorConstants find_motor_constants(std::span<const WeightReading> readings) noexcept;
 
+// --- Which motor drives which leg ---
+//
 // Which of the three numbers in a Falcon's commands drives which leg's motor, and whether a number above 0 pulls the
-// arm in: from which arm moved most, and where to, while one motor at a time pulled gently. Pure; never allocates or
-// throws, any thread.
+// arm in: from which arm moved most, and where to, while one motor at a time pulled gently.
 
 // What the legs did when one number of a command was `counts` and the others 0.
 struct MotorPulse {
@@ -73,8 +79,9 @@ struct MotorWiring {
 // In a frame's order.
 MotorWiring find_motor_wiring(const std::array<MotorPulse, 3>& pulses) noexcept;
 
-// Whether a Falcon's firmware drops a force by itself when it receives nothing: from where the handle was after a
-// silence, between where the force had held it and where the hand alone does. Pure; allocates nothing, any thread.
+// --- Whether the firmware drops a force by itself when it receives nothing ---
+
+// Where the handle was after a silence, between where the force had held it and where the hand alone does.
 struct SilenceReading {
   double silence_s = 0.0;
   double held = 0.0;    // how far the force had moved the handle before the silence [m]

@@ -1,5 +1,5 @@
-// How ready a Falcon is (device/report/input_choice.h), with what is happening in each step now and what to do. The window and
-// `doctor` show the same. Pure, allocates; not for the servo thread.
+// How ready a Falcon is (device/report/input_choice.h), with what is happening in each step now and what to do. The
+// window and `doctor` show the same. Pure, allocates; not for the servo thread.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// MeasuringRig: what every measurement of a Falcon needs: a person who is asked, a handle that is read when it is
-// still, and motors that push only as long as a button of the grip is held down. UI thread; SI units, device frame.
+// MeasuringRig: what every measurement of a Falcon needs: a person who is asked (Operator), a handle that is read when
+// it is still, and motors that push only as long as a button of the grip is held down. UI thread; SI units, device
+// frame.
 //
 // Motors: whatever asks for them, the force at the handle stays below `greatest_force` even with the strongest motors
 // that were published, and grows by `steepest` at most. They are off at once when the button is let go of, when the
@@ -23,8 +24,8 @@
 
 namespace ghostforce {
 
-// Operator: the person in front of a Falcon that is being measured, as the measurement sees one: told things, asked to
-// do things, and answering in lines of text. On a terminal, out of a file, or simulated. UI thread.
+// The person in front of a Falcon that is being measured, as the measurement sees one: told things, asked to do things,
+// and answering in lines of text. On a terminal, out of a file, or simulated.
 class Operator {
  public:
   Operator() = default;
@@ -67,7 +68,7 @@ struct Mean {
 };
 
 struct LeaveMeasurement {};  // the person has typed q
-struct SkipMeasurement {};   // s
+struct SkipMeasurement {};   // the person has typed s
 
 enum class MotorStop : std::uint8_t { none, released, too_fast, left_workspace, no_reply };
 
@@ -102,7 +103,7 @@ class MeasuringRig {
 
   // The line that was typed, without spaces around it.
   std::string ask(const OperatorAction& action, const std::string& words);
-  // The same until it is a number from `least` to `greatest`.
+  // Asks until the answer is a number from `least` to `greatest`.
   double ask_number(const OperatorAction& action, const std::string& words, double least, double greatest,
                     std::string_view unit);
 

@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-// Finding: what one measurement of a Falcon has found, for the report. A plain value.
+// What one measurement of a Falcon has found, for the report. A plain value.
 struct Finding {
   enum class State : std::uint8_t {
     as_assumed,    // the device is what the program takes every device for

@@ -26,20 +26,18 @@ struct SimulatedMotion {
 // Throws Failure(wrong_call) where the loop is unstable.
 SimulatedMotion simulate_motion(std::string name, const Scene& scene);
 
-// The same of a recorded hand, with what was changed while it was recorded.
+// A recorded hand in place of the scene's, with what was changed while it was recorded. Throws likewise.
 SimulatedMotion simulate_hand(const RecordedHand& hand);
 
-// Those in use at a time [s], and in the end.
+// The settings in use at a time [s], and in the end.
 const Settings& settings_at(const SimulatedMotion& motion, double time_s);
 const Settings& last_settings(const SimulatedMotion& motion);
 
 // One row per motion, strategy and moment, and one of the closed form at rest, where t_s is nan.
 CsvTable table_of(std::span<const SimulatedMotion> motions);
 
-// The hand of a run, as figure 6 takes it. Pure, any thread.
-
-// `name` is what messages and the figure call the run. Throws Failure(wrong_call) where the run tells no scene, or has
-// no two ticks to move between.
+// The hand of a run, as figure 6 takes it. `name` is what messages and the figure call the run. Throws
+// Failure(wrong_call) where the run tells no scene, or has no two ticks to move between.
 RecordedHand recorded_hand(const Run& run, std::string name);
 
 }  // namespace ghostforce

@@ -1,5 +1,7 @@
 // A sweep on all cores: every point of a grid at rest, as rows in the grid's order, the same bytes however many threads
-// there are. Holds some blocks of points at a time, never the whole sweep. Not for the servo thread.
+// there are. Holds some blocks of points at a time, never the whole sweep. It is written as CSV: comment lines with
+// version, scene and ranges, one line of column names, then one row per point and strategy. Numbers are in the shortest
+// form that reads back exactly, whatever the locale. Not for the servo thread (it allocates).
 #pragma once
 
 #include <chrono>
@@ -37,14 +39,10 @@ std::size_t sweep_threads() noexcept;
 // (interruption.h), and returns whether it got to the end.
 bool sweep(const SweepPlan& plan, std::size_t thread_count, const std::function<void(const SweptBlock&)>& take);
 
-// A sweep as CSV: comment lines with version, scene and ranges, one line of column names, then one row per point and
-// strategy. Numbers in the shortest form that reads back exactly, whatever the locale. Pure, any thread; not for the
-// servo thread (it allocates).
-
-// All that stands before the first row.
+// All that stands before the first row. Pure.
 std::string sweep_header(const Scene& scene, const Grid& grid, const EquilibriumKind& kind);
 
-// The rows of a point, each with its newline.
+// The rows of a point, each with its newline. Pure.
 void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,
                        const EquilibriumKind& kind);
 

@@ -1,6 +1,6 @@
-// WorksheetItem: what stands in one place of a worksheet: a step of the lesson, or a few that are only to be looked at. Words
-// alone, before anything has a place. A worksheet without answers knows nothing of them: neither which is right nor what
-// the lesson says afterwards. Values; pure, any thread.
+// The words of a worksheet, before anything has a place: its items, from the lesson, and the phrases that every
+// worksheet has. A worksheet without answers knows nothing of them: neither which is right nor what the lesson says
+// afterwards. Values; pure, any thread.
 #pragma once
 
 #include <cstddef>
@@ -20,13 +20,14 @@ struct WorksheetBox {
   bool is_ticked = false;
 };
 
-// Words with a line after them to write on. With a unit the line is short and ends before it; without, it goes on to the
-// edge.
+// Words with a line after them to write on. With a unit the line is short and ends before it; without, it goes on to
+// the edge.
 struct WorksheetLine {
   std::string words;
   std::string_view unit{};
 };
 
+// What stands in one place of a worksheet: a step of the lesson, or a few that are only to be looked at.
 struct WorksheetItem {
   std::size_t step = 0;  // of the lesson, from 0: the picture's
   std::string number;    // of the step, or of the first and the last, from 1 as on the screen

@@ -1,5 +1,5 @@
-// Places what a worksheet says on pages: on one page if that can be, with pictures as large as it allows, else on as many
-// as are needed; letters never become smaller. Points of the page (1/72 inch), y down; pure, any thread.
+// Places what a worksheet says on pages: on one page if that can be, with pictures as large as it allows, else on as
+// many as are needed; letters never become smaller. Points of the page (1/72 inch), y down; pure, any thread.
 #pragma once
 
 #include <array>

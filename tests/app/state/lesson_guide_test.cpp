@@ -285,11 +285,16 @@ TEST_F(LessonGuideTest, GivesBackWhatThePersonHad) {
 
 TEST_F(LessonGuideTest, EscapeTurnsMotorsOffFirst) {
   session.motors_may_push = true;
+  session.dialog = Dialog::doctor;
   const std::uint32_t offs = session.offs_asked;
   press_key(session, {.key = key::escape});
   EXPECT_EQ(session.offs_asked, offs + 1);
+  EXPECT_EQ(session.dialog, Dialog::doctor) << "where the reason is told";
   EXPECT_TRUE(session.lesson);
   session.motors_may_push = false;
+  press_key(session, {.key = key::escape});
+  EXPECT_EQ(session.dialog, Dialog::none);
+  EXPECT_TRUE(session.lesson);
   press_key(session, {.key = key::escape});
   EXPECT_FALSE(session.lesson);
 }
