@@ -24,8 +24,7 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-// `what_to_say` is complete: what is wrong, where, and what to do about it; one line per problem, no newline at the
-// end.
+// `what_to_say` is complete: what is wrong, where, and what to do about it; one line per problem, no final newline.
 class Failure : public std::runtime_error {
  public:
   Failure(ExitCode code, const std::string& what_to_say) : std::runtime_error(what_to_say), code_(code) {}

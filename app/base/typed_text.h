@@ -1,5 +1,4 @@
-// What a person typed: taken apart, read as a number, and compared with the names that were probably meant. Pure, any
-// thread.
+// What a person typed: taken apart, read as a number, compared with the names that may be meant. Pure, any thread.
 #pragma once
 
 #include <algorithm>

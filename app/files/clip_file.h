@@ -51,8 +51,8 @@ class ClipFile {
 class AnimatedPng : public ClipEncoder {
  public:
   // Writes the file's beginning. `file` must not be written directly (OutputFile::part_path()) and must outlive this;
-  // its owner commits it after finish(). `text`: what the file says of itself as its "Description", UTF-8; empty:
-  // nothing.
+  // its owner commits it after finish(). `text`: what the file says of itself as its "Description", UTF-8; may be
+  // empty.
   AnimatedPng(OutputFile& file, const ClipShape& shape, std::string_view text = {});
 
   void add(const Image& image) override;

@@ -1,5 +1,6 @@
-// An open file, and what was written to it made to outlast a power cut. To synchronise waits for the disk: not for the
-// servo thread, and for the UI thread only where a person waits for a file anyway, or while motors are off.
+// Open files: how one is closed in the end, and how what was written is made to outlast a power cut. That waits for the
+// disk: not for the servo thread, and for the UI thread only where a person waits for a file anyway, or while motors
+// are off.
 #pragma once
 
 #include <filesystem>

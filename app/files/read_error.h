@@ -51,8 +51,7 @@ class ReadError : public std::runtime_error {
 
 // What is wrong with a text that a person wrote, in the order in which a person reads. A file that is wrong from end to
 // end is best read from its beginning: words are made, and memory taken, for the first problems alone, so that a
-// million of them take no longer than the file is to read. `Place` is where a problem stands, and is ordered. One
-// thread.
+// million of them take no longer than the file is to read. `Place`: where a problem stands; it is ordered. One thread.
 template <typename Place, typename Words = std::string>
 class ProblemList {
  public:

@@ -2,8 +2,8 @@
 // its file; and how long one may be.
 //
 // The file is CSV: comment lines with the program's build and the scene, one line of column names, then one row per
-// tick and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure, any
-// thread, but for the servo's: most of it allocates.
+// tick and strategy. SI units; numbers in the shortest form that reads back exactly, whatever the locale. Pure; any
+// thread but the servo's, because most of it allocates.
 #pragma once
 
 #include <cstddef>

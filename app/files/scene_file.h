@@ -40,8 +40,7 @@ std::string scene_text(const Scene& scene);
 // The value of a key alone, as scene_text() writes it and --set takes it; empty: to be left out.
 std::string value_text(Scene scene, const SceneKey& key);
 
-// The number of mm that reads back as exactly this [m], in as few digits as possible; the nearest one where there is
-// none.
+// The number of mm that reads back as exactly this [m], in as few digits as possible; the nearest where there is none.
 double file_millimetres(double metres);
 
 // The nearest scene that a file can hold. Files hold mm and degrees, and not every metre or radian is the quotient of

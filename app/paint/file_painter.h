@@ -41,7 +41,7 @@ struct FilePainter {
   }
 };
 
-// The same picture for a script, with positions in millimetres: an array with one object per mark: role, strategy
+// The same picture for a script, with positions in millimetres. An array with one object per mark: role, strategy
 // (where it belongs to one), form, and the form's positions, sizes and colours, of a raster without its cells. An arrow
 // says where it has no head or is hatched, a label where its letters are bold or none of the three heights of the
 // workbench.

@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-// Pictures of anything.
+// Pictures of anything that a pane can show.
 class PictureGallery {
  public:
   explicit PictureGallery(GlPainter& painter) noexcept : painter_(painter) {}

@@ -103,7 +103,7 @@ class LabelPlacer {
   std::uint64_t picture_ = 0;
 };
 
-// Where in the picture before something stood that has only a few places. As it is made: there was none.
+// Where something that has only a few places stood in the picture before. As it is made: there was none.
 struct CornerMemory {
   std::optional<std::size_t> place{};
   double strength = 0.0;      // 0: not to be seen, 1: all there

@@ -15,8 +15,8 @@
 
 namespace ghostforce {
 
-// A tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is
-// the active one is the person's choice, whenever the moment was. Refers to a snapshot that others hold.
+// A tick's snapshot and the settings under which it ran, together: what a picture is of. Which strategy is the active
+// one is the person's choice, whenever the moment was. Refers to a snapshot that others hold.
 struct ShownMoment {
   Settings settings;
   const Snapshot& snapshot;

@@ -22,8 +22,7 @@ struct PlotBucket {
   std::array<PerStrategy<double>, quantity_count> greatest{};
 };
 
-// Ticks are kept at several degrees of coarseness, so that a plot costs the same whether it shows one second or all of
-// them.
+// Keeps the ticks at several degrees of coarseness, so that a plot costs the same whether it shows one second or all.
 class PlotHistory {
  public:
   static constexpr std::size_t capacity = 65536;  // ticks; over a minute at 1 kHz

@@ -286,6 +286,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
     content.guess = lesson_guess(session);
     content.reference_force = lesson_reference_force(*session.lesson->lesson);
   }
+  content.hides.numbers = content.hides.numbers || session.stage.hides_numbers;
   content.measuring = measuring_content(session);
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());

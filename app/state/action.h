@@ -102,6 +102,7 @@ struct GoOn {};
 struct NextStep {};
 struct PreviousStep {};
 struct ToggleBlank {};
+struct ToggleNumbers {};
 struct AnswerLesson {
   std::size_t answer = 0;
 };
@@ -280,7 +281,7 @@ using Action =
                  TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy,
                  TurnWallToLargestDrift, TurnRatio, ChooseStrategy, ChooseByNumber, TogglePause, StepBack, StepOn,
                  Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep,
-                 PreviousStep, ToggleBlank, AnswerLesson, LeaveLesson, NextLanguage, ArmMotors, StopMotors,
+                 PreviousStep, ToggleBlank, ToggleNumbers, AnswerLesson, LeaveLesson, NextLanguage, ArmMotors, StopMotors,
                  AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView, TogglePlots,
                  NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, ChangeSpeed,
                  ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,

@@ -190,6 +190,10 @@ void act(Session& session, const Confirm&) {
   takes_reading ? take_reading(session) : act(session, GoOn{});
 }
 
+void act(Session& session, const ToggleNumbers&) {
+  session.stage.hides_numbers = !session.stage.hides_numbers;
+}
+
 void act(Session& session, const ToggleBlank&) {
   session.stage.is_black = !session.stage.is_black;
 }

@@ -46,6 +46,7 @@ struct StageChoice {
   std::optional<double> landscape_dial{};   // 0 naïve, 1 anisotropic, as it was dragged; empty: as the strategy has it
   std::optional<double> looks_back_to_s{};  // the moment of the last minute that is shown, model time; empty: now
   bool is_black = false;                    // the picture is hidden, as clickers do
+  bool hides_numbers = false;               // to ask a room for them first
   std::optional<int> demo_step{};           // of the talk that a clicker goes through; empty: not begun
 };
 

@@ -55,7 +55,8 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       LeaveLesson{},
                                       OpenDialog{Dialog::help},
                                       ToggleDialog{Dialog::palette},
-                                      ToggleBlank{}};
+                                      ToggleBlank{},
+                                      ToggleNumbers{}};
   for (const Action& action : forbidden) EXPECT_TRUE(may(action)) << action.index();
   begin_kiosk_visit(session, shipped_lessons());
   for (const Action& action : forbidden) {

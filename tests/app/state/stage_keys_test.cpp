@@ -206,6 +206,18 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   expect_step(0);
 }
 
+TEST_F(StageKeysTest, NHidesTheNumbersAndShowsThemAgain) {
+  const auto numbers = [&] { return application_->stage_reading().numbers; };
+  ASSERT_TRUE(numbers().ghost_force);
+  const Image before = picture();
+  press(key::n);
+  EXPECT_FALSE(numbers().ghost_force);
+  EXPECT_FALSE(numbers().slide);
+  EXPECT_NE(picture(), before);
+  press(key::n);
+  EXPECT_TRUE(numbers().ghost_force);
+}
+
 TEST_F(StageKeysTest, BHidesThePictureAndEscapeShowsItToo) {
   const auto is_black = [&] {
     const Image image = picture();
