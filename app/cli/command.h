@@ -18,12 +18,10 @@
 #include "core/tick.h"
 
 namespace CLI {
+class App;
 class Option;
 class Validator;
 }  // namespace CLI
-namespace CLI {
-class App;
-}
 
 namespace ghostforce {
 

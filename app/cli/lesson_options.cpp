@@ -13,7 +13,7 @@
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
 #include "app/state/lesson_file.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "device/report/input_choice.h"
 
 namespace ghostforce {

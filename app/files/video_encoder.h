@@ -16,6 +16,27 @@
 
 namespace ghostforce {
 
+// What all pictures of a clip have in common.
+struct ClipShape {
+  int width = 0;  // [px]
+  int height = 0;
+  int frames_per_second = 30;
+};
+
+// One format of clips. Every function may throw what OutputFile (output_file.h) throws.
+class ClipEncoder {
+ public:
+  ClipEncoder() = default;
+  virtual ~ClipEncoder() = default;
+  ClipEncoder(const ClipEncoder&) = delete;
+  ClipEncoder& operator=(const ClipEncoder&) = delete;
+
+  // The next picture, of the clip's size and without transparency.
+  virtual void add(const Image& image) = 0;
+  // After the last one.
+  virtual void finish() = 0;
+};
+
 // Whether there can be any here, if ffmpeg is installed.
 bool can_make_videos() noexcept;
 

@@ -1,16 +1,12 @@
-// Upright rectangles on the screen (y down, points), what of a line lies in one, and a pen for what has its place
-// there: for those who place words beside lines, legend and scale bars. Any one thread.
+// Upright rectangles on the screen (y down, points), and what of a line lies in one: for those who place words beside
+// lines. Pure, any thread.
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <utility>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/picture/marks.h"
-#include "app/picture/view.h"
 #include "core/conventions.h"
 
 namespace ghostforce {
@@ -68,33 +64,5 @@ inline bool clip(const ScreenBox& box, ScreenPiece& piece) noexcept {
   piece.start += first * glm::length(way);
   return true;
 }
-
-// Draws what has its place on the screen, not in the world.
-struct ScreenPen {
-  const View& view;
-  Marks& marks;
-  Role role;
-  double strength = 1.0;  // 0: not to be seen
-
-  void line(const Vector<2>& from, const Vector<2>& to, double width, Colour colour,
-            LinePattern pattern = solid_line) const {
-    marks.push_back({role, std::nullopt,
-                     Line{to_world(view.camera, from), to_world(view.camera, to), view.points(width),
-                          faded(colour, strength), pattern}});
-  }
-  void text(const Vector<2>& upper_left, std::string words, Colour colour, const TextStyle& style = small_text) const {
-    // A halo of its own strength would stand out before its letters do.
-    const Colour halo = view.theme.background.with_alpha(strength < 1.0 ? 0 : 255);
-    marks.push_back({role, std::nullopt,
-                     Label{to_world(view.camera, upper_left), Vector<2>(0.0), std::move(words), style,
-                           faded(colour, strength), halo}});
-  }
-  // Trails and grid run on below it.
-  void backdrop(const ScreenBox& box) const {
-    marks.push_back({role, std::nullopt,
-                     Box{to_world(view.camera, box.least), box.extent(), view.points(4.0),
-                         faded(view.theme.background, strength), view.theme.background.with_alpha(0), 0.0}});
-  }
-};
 
 }  // namespace ghostforce

@@ -14,10 +14,10 @@
 #include "app/state/live_table.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/permit.h"
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/workbench/plot_export.h"
 
 namespace ghostforce {

@@ -18,7 +18,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 
 namespace ghostforce {
 

@@ -23,8 +23,7 @@ struct EndOfRecording {
   bool is_problem = false;  // not all of it is in the file that was named
 };
 
-// `found_at`: where the file is now; empty: it was removed. `error`: why nothing more could be written, an errno; else
-// 0.
+// `found_at`: where the file is now; empty: it was removed. `error`: why no more could be written, an errno; else 0.
 EndOfRecording end_of_recording(const RecordingReading& recording, const std::string& found_at, int error) {
   const std::string shown = quoted_text(found_at.empty() ? recording.path : found_at, longest_path);
   if (found_at.empty()) {

@@ -1,6 +1,6 @@
 // The circle test: leads the circle along with the wall, and measures what each turn makes of energy.
 #include "app/shell/input_link.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/loop_energy.h"
 #include "device/input/circle_input.h"

@@ -1,6 +1,5 @@
 // To a Falcon, real or virtual: how far it is, and whether the handle reaches what the scene is about. The virtual one
-// is a rehearsal, in which the pointer leads the hand at the device, and a person may ask the device to do something
-// wrong.
+// is a rehearsal: the pointer leads the hand at the device, and a person may ask the device to do something wrong.
 #include <algorithm>
 #include <cmath>
 #include <utility>

@@ -49,8 +49,7 @@ class LateTicks {
  public:
   explicit LateTicks(double lately_s) noexcept : lately_s_(lately_s) {}
 
-  // `counted`: the loop's own count by now; a smaller one than before is a new loop's. `interval_s`: since the last
-  // call.
+  // `counted`: the loop's own count by now; a smaller one than before: a new loop's. `interval_s`: since the last call.
   void note(std::uint64_t counted, bool is_opening, double interval_s);
 
   std::uint64_t all() const noexcept { return all_; }

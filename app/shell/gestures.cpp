@@ -9,7 +9,7 @@
 #include "app/picture/camera.h"
 #include "app/picture/handles.h"
 #include "app/picture/screen_box.h"
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 #include "app/widgets/tooltips.h"
 
 namespace ghostforce {

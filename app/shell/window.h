@@ -17,7 +17,7 @@
 #include "app/files/image.h"
 #include "app/picture/theme.h"
 #include "app/state/key_bindings.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "app/widgets/panel_context.h"
 
 namespace ghostforce {

@@ -1,5 +1,4 @@
-// Predict: a ring to drag to where one thinks that the handle comes to rest. The answer is hidden until it is asked
-// for.
+// Predict: a ring to drag to where one thinks that the handle comes to rest. The answer is hidden until one asks.
 #include <glm/geometric.hpp>
 
 #include "app/stage/stage_layers.h"

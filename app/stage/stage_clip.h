@@ -1,7 +1,7 @@
 // StageClip: the stage over a time that is past, picture by picture, for a file: what was the hand's, the wall's and
 // the motors' at each moment, under the settings and the strategy of that moment, and the change from one strategy to
-// the next as the stage shows it. The view stands still, no mode is on, and nobody can take hold of anything. Any one
-// thread.
+// the next as the stage shows it. The view stands still, no mode is on, and nobody can take hold of anything. Any
+// one thread.
 #pragma once
 
 #include <optional>

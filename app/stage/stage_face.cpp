@@ -15,7 +15,7 @@
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/stage_action.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"
 #include "app/state/kiosk_visit.h"

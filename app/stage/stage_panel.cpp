@@ -1,5 +1,4 @@
-// The frame round the scene of the stage: the sentence and the two numbers above, the buttons below, the strip of
-// icons.
+// The frame round the stage's scene: the sentence and the two numbers above, the buttons below, the strip of icons.
 #include <algorithm>
 #include <array>
 #include <cmath>

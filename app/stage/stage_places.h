@@ -32,8 +32,7 @@ struct StageMeasuring {
   bool has_trouble() const noexcept { return why != HandUnknown::none; }
 };
 
-// The words of the button that has the hand measured, of which there are several: letters are as large with all of
-// them.
+// The words of the button that has the hand measured. There are several: letters are as large with all of them.
 struct StageMeasuringButton {
   std::string words;
   std::string longest;

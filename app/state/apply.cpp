@@ -10,8 +10,8 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/measurement_guide.h"
 #include "app/state/permit.h"
-#include "app/state/scene_view_limits.h"
-#include "app/state/stage_modes.h"
+#include "app/state/scene_view.h"
+#include "app/state/mode_changes.h"
 #include "app/state/kiosk_visit.h"
 #include "core/conventions.h"
 

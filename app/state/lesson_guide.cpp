@@ -11,7 +11,7 @@
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
 #include "app/state/measurement_guide.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/state/stage_view.h"
 
 namespace ghostforce {

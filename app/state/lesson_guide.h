@@ -64,8 +64,7 @@ struct LessonScore {
 };
 LessonScore score_of(const LessonState& lesson) noexcept;
 
-// What of the world a step shows: its hand, before and after the question is answered, so that the picture stands
-// still.
+// What of the world a step shows: its hand, before and after the question is answered: the picture stands still.
 SceneView lesson_view(const Session& session);
 // Whose arrow has the usual length: the strongest push of the whole lesson, so that arrows of its steps can be compared
 // [N].

@@ -15,7 +15,7 @@
 
 namespace ghostforce {
 
-// What a lesson's file calls something.
+// Something that a lesson can name, and its name.
 template <typename Id>
 struct LessonWord {
   Id id;

@@ -20,8 +20,7 @@ enum class BeliefSource : std::uint8_t {
   live,      // tones on the motor measure the hand, and the belief follows: the servo alone changes it
 };
 
-// The settings as far as they are the person's own choice: a belief that follows the hand changes by itself and is
-// none.
+// The settings that are the person's own choice: a belief that follows the hand changes by itself and is none.
 inline Settings chosen_settings(Settings settings, BeliefSource source) noexcept {
   if (source == BeliefSource::live) settings.stiffnesses.believed_k_u.reset();
   return settings;

@@ -23,8 +23,7 @@ bool hides_answer(const Session& session) noexcept;
 // measures it.
 bool hides_curves(const Session& session) noexcept;
 
-// Shows what was hidden. The measurement of a hand that was given its stiffness is not blind any more unless it has
-// ended.
+// Shows what was hidden. The measurement of a hand that was given its stiffness is then blind only if it has ended.
 void reveal_hand(Session& session) noexcept;
 
 // From the state that the session is in. The input stays: the first step says so where it never rests.

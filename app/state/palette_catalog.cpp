@@ -15,7 +15,7 @@
 #include "app/state/lesson_file.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 
 namespace ghostforce {
 namespace {

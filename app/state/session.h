@@ -21,7 +21,7 @@
 #include "app/state/lesson.h"
 #include "app/state/lesson_progress.h"
 #include "app/state/measurement.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "app/state/stage_view.h"
 #include "core/conventions.h"
 #include "core/hand_estimator.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -44,7 +44,7 @@ std::optional<Vector<2>> read_position_mm(std::string_view text);
 // "TEXT: not a position; give …, as in OPTION=-10,5"
 std::string no_position_words(std::string_view option, std::string_view text);
 
-// The same text back. It reads back bit for bit where the position came from a file or from rounded_to_file().
+// A position [m] as such a text. It reads back bit for bit where it came from a file or from rounded_to_file().
 std::string position_mm_text(const Vector<2>& position);
 
 }  // namespace ghostforce

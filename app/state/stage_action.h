@@ -10,7 +10,7 @@
 
 #include "app/state/action.h"
 #include "app/state/stage_language.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "core/strategy.h"
 
 namespace ghostforce {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/state/measurement.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "core/scene.h"
 
 namespace ghostforce {

@@ -40,4 +40,7 @@ void draw_save_plots(const PanelContext& context);
 void draw_reset_preferences(const PanelContext& context);
 void draw_palette(const PanelContext& context);
 
+// Lets the person choose the language of the stage and of lessons, one of the catalog.
+void draw_language_choice(const PanelContext& context);
+
 }  // namespace ghostforce

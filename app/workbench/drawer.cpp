@@ -153,15 +153,4 @@ void draw_plots(const PanelContext& context, const History& history) {
   tabs[static_cast<std::size_t>(view.tab)].draw(context, history);
 }
 
-void draw_language_choice(const PanelContext& context) {
-  const StageLanguage& shown = stage_language(context.session.language);
-  for (const StageLanguage* const language : stage_languages) {
-    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
-    if (language != stage_languages.front()) same_line_if_room(width);
-    if (ImGui::RadioButton(language->name.data(), &shown == language)) {
-      context.apply(ChooseLanguage{std::string(language->code)});
-    }
-  }
-}
-
 }  // namespace ghostforce

@@ -16,7 +16,4 @@ void draw_wall_angle_plots(const PanelContext& context);
 void draw_ratio_plots(const PanelContext& context);
 void draw_hand_plot(const PanelContext& context, const History& history);
 
-// Lets the person choose the language of the stage and of lessons, one of the catalog.
-void draw_language_choice(const PanelContext& context);
-
 }  // namespace ghostforce

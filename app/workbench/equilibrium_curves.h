@@ -36,11 +36,11 @@ EquilibriumValue equilibrium_value(StrategyId id, const EquilibriumQuestion& que
 // The same of a tick: of a snapshot's force and drift.
 EquilibriumValue value_now(const Vector<2>& force, const Vector<2>& drift, const Settings& settings) noexcept;
 
-// Over the angle of the wall's normal, a whole turn from 0 [rad]: the wall turns about its point, and the goal keeps
-// the depth that it has, as in the paper's figure. `count` ≥ 2. The goal that a wall at another angle has at the same
-// depth and at the same place along it [m].
+// The goal that a wall at another angle has at the same depth and at the same place along it [m].
 Vector<2> goal_turned_with_wall(const Settings& settings, const Vector<2>& goal, double wall_normal_angle) noexcept;
 
+// Over the angle of the wall's normal, a whole turn from 0 [rad]: the wall turns about its point, and the goal keeps
+// the depth that it has, as in the paper's figure. `count` ≥ 2.
 EquilibriumCurves equilibria_over_wall_angle(const EquilibriumQuestion& question, std::size_t count);
 
 // Over the tracking ratio ρ from `least` to `greatest`, in equal steps of its logarithm. Only the anisotropic strategy

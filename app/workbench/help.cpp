@@ -1,5 +1,4 @@
-// F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as there is room
-// for.
+// F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as have room.
 #include <algorithm>
 #include <array>
 #include <cmath>

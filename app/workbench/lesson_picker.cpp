@@ -12,7 +12,6 @@
 #include "app/widgets/controls.h"
 #include "app/widgets/picture_card.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/drawer.h"
 
 namespace ghostforce {
 namespace {

@@ -7,7 +7,7 @@
 #include <glm/common.hpp>
 
 #include "app/picture/text.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/conventions.h"

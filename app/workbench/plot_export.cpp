@@ -13,7 +13,7 @@
 #include "app/files/run.h"
 #include "app/picture/chart.h"
 #include "app/picture/text.h"
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/equilibrium_curves.h"
 #include "app/workbench/ratio_dial.h"

@@ -3,11 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "app/state/front_keys.h"
+#include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/drawer.h"
 #include "app/workbench/panel_catalog.h"
 
 namespace ghostforce {
@@ -82,6 +83,17 @@ void draw_view_options(const PanelContext& context) {
   row("Preferences", "What you have chosen in this panel, and more, is kept from one run to the next.");
   if (ImGui::Button("Reset all…")) context.apply(OpenDialog{Dialog::reset_preferences});
   end_rows();
+}
+
+void draw_language_choice(const PanelContext& context) {
+  const StageLanguage& shown = stage_language(context.session.language);
+  for (const StageLanguage* const language : stage_languages) {
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(language->name.data()).x;
+    if (language != stage_languages.front()) same_line_if_room(width);
+    if (ImGui::RadioButton(language->name.data(), &shown == language)) {
+      context.apply(ChooseLanguage{std::string(language->code)});
+    }
+  }
 }
 
 void draw_reset_preferences(const PanelContext& context) {

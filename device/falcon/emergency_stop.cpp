@@ -60,8 +60,6 @@ bool is_ordered() noexcept {
   return stopper.load(std::memory_order_relaxed) != 0;
 }
 
-namespace emergency_stop {
-
 namespace {
 
 // Of these the process does not end (refuse_to_be_stopped() is for some), or nobody can do anything about it.
@@ -109,6 +107,4 @@ void refuse_to_be_stopped() noexcept {
   for (const int signal : {SIGTSTP, SIGTTIN, SIGTTOU}) std::signal(signal, SIG_IGN);
 }
 
-}  // namespace emergency_stop
-
-}  // namespace ghostforce
+}  // namespace ghostforce::emergency_stop

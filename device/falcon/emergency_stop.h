@@ -18,15 +18,10 @@ void watch(FalconLink* link) noexcept;
 void stop_motors() noexcept;
 bool is_ordered() noexcept;
 
-}  // namespace emergency_stop
-
-// What orders the stop where a process may die: its signals, and its exit.
-namespace emergency_stop {
-
-// Makes every signal that would end the process stop the motors first, and then end the process as it would have. Not
-// those that cannot be caught (SIGKILL), that are ignored (faults cannot be), or that somebody handles already. exit()
-// does so too: libraries call it, and no destructor on a stack runs. The calling thread gets an AlternateStack; every
-// other thread needs one itself.
+// What orders the stop where a process may die, by its signals and its exit: every signal that would end the process
+// stops the motors first, and then ends the process as it would have. Not those that cannot be caught (SIGKILL), that are
+// ignored (faults cannot be), or that somebody handles already. exit() does so too: libraries call it, and no destructor
+// on a stack runs. The calling thread gets an AlternateStack; every other thread needs one itself.
 void install_handlers() noexcept;
 
 // From now on this process ignores signals that would suspend it (Ctrl+Z), because it could not turn motors off while

@@ -1,7 +1,10 @@
-// MotorReport: what the servo reports about the motors of an input and about their safety. Trivially copyable: it
-// crosses threads whole. SI units, in the plane of the scene.
+// What a device with motors reports: the motors and their safety, and how far it is from pushing. MotorReport is trivially
+// copyable: it crosses threads whole. SI units, in the plane of the scene.
 #pragma once
 
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <type_traits>
 
 #include "core/conventions.h"
@@ -31,5 +34,28 @@ struct MotorReport {
   bool has_focus = true;         // keys reach the window, so that Esc turns them off
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);
+
+// What lies between a device in its box and one that pushes, in the order in which the steps are reached.
+enum class ReadinessStep : std::uint8_t {
+  seen,
+  allowed,
+  free,
+  firmware,
+  homed,
+  encoders_move,
+  fast_enough,
+  outside_wall,
+  armed,
+};
+
+// How a step stands, as app/tools/doctor/readiness.h finds it out.
+struct ReadinessStepState {
+  ReadinessStep step = ReadinessStep::seen;
+  std::string_view name;   // in JSON
+  std::string_view title;  // on screen: what is so, or is still to come
+  bool is_reached = false;
+  bool is_current = false;  // the first that is not reached
+  std::string words;        // whole sentences: what is so, and what to do; empty: its turn has not come
+};
 
 }  // namespace ghostforce

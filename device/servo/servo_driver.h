@@ -8,8 +8,6 @@
 
 namespace ghostforce {
 
-class Servo;
-
 class ServoDriver {
  public:
   ServoDriver() = default;

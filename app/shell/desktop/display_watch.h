@@ -57,8 +57,8 @@ class DisplayWatch {
 
 // From now on the program ends when the display is lost: the server has crashed, the session has ended, or another
 // client has destroyed the window. The X library lets nobody return from that, so the program ends from within, with
-// words and ExitCode::no_display, once what must not be lost has been put in order. Once GLFW has been initialised,
-// with a display.
+// words and ExitCode::no_display, once what must not be lost has been put in order. To be called once GLFW has been
+// initialised, with a display.
 void watch_display();
 
 // From now on an X error counts as the end of that window if it no longer exists. 0: of none.

@@ -17,7 +17,7 @@
 #include "app/state/apply.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/set_up_of.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "core/conventions.h"
 #include "core/hand_measurement.h"

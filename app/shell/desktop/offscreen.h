@@ -32,8 +32,7 @@ namespace ghostforce {
 struct LessonPicture {
   std::shared_ptr<const Lesson> lesson;  // never null
   std::size_t step = 0;                  // from 0
-  // From 1: of a choice the answer's number; of a guess 1 a right one and 2 a wrong one; of a task 1 done and 2 given
-  // up.
+  // From 1: of a choice the answer's number; of a guess 1 right and 2 wrong; of a task 1 done and 2 given up.
   std::optional<std::size_t> answer{};
 };
 

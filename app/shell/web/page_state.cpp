@@ -18,7 +18,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "core/simulate.h"
 
 namespace ghostforce {

@@ -68,8 +68,8 @@ Comparison compare_pictures(const Image& expected, const Image& actual, const To
 
 bool is_within(const Comparison& comparison, const Tolerance& tolerance) noexcept;
 
-// "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels at x 12, y
-// 20"; and then, where there is a mask, "; 3.1 % of the picture is masked"
+// "512 of 307200 pixels (0.167 %) differ by more than 2 of 255, by up to 90, all of them in 31x40 pixels
+// at x 12, y 20"; and then, where there is a mask, "; 3.1 % of the picture is masked"
 std::string difference_words(const Comparison& comparison, const Tolerance& tolerance);
 
 // What both show, faded to greys; pixels over the tolerance's channel in magenta and inside a blue frame, smaller

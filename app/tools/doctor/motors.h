@@ -13,10 +13,6 @@
 namespace ghostforce {
 
 // --- What a motor count is worth ---
-//
-// From the counts with which the motors held the handle against a known weight, less those without it, at the same
-// places. What is the same both times cancels out: the handle's own weight, a finger on the button. Friction does too,
-// because each is the mean of moving slowly up and slowly down through the place.
 
 // The motors' counts, by leg, at one place while the handle went slowly up and down through it.
 struct HoldReading {
@@ -46,13 +42,13 @@ struct MotorConstants {
   double handle_weight = 0.0;  // what the motors carried without the weight: handle less what the finger carried [N]
 };
 
-// At least two places, so that every motor has something to carry at one of them.
+// From the counts with which the motors held the handle against a known weight, less those without it, at the same
+// places. What is the same both times cancels out: the handle's own weight, a finger on the button. Friction does too,
+// because each is the mean of moving slowly up and slowly down through the place. At least two places, so that every
+// motor has something to carry at one of them.
 MotorConstants find_motor_constants(std::span<const WeightReading> readings) noexcept;
 
 // --- Which motor drives which leg ---
-//
-// Which of the three numbers in a Falcon's commands drives which leg's motor, and whether a number above 0 pulls the
-// arm in: from which arm moved most, and where to, while one motor at a time pulled gently.
 
 // What the legs did when one number of a command was `counts` and the others 0.
 struct MotorPulse {
@@ -71,12 +67,14 @@ enum class MotorProblem : std::uint8_t {
   same_leg_twice,  // two numbers moved the same leg
 };
 
+// Which of the three numbers in a Falcon's commands drives which leg's motor, and whether a number above 0 pulls the
+// arm in.
 struct MotorWiring {
   MotorProblem problem = MotorProblem::none;
   LegNumbers motor_of_leg = legs_in_order;
 };
 
-// In a frame's order.
+// From which arm moved most, and where to, while one motor at a time pulled gently. In a frame's order.
 MotorWiring find_motor_wiring(const std::array<MotorPulse, 3>& pulses) noexcept;
 
 // --- Whether the firmware drops a force by itself when it receives nothing ---

@@ -1,4 +1,4 @@
-// How ready a Falcon is (device/report/input_choice.h), with what is happening in each step now and what to do. The
+// How ready a Falcon is (device/report/motor_report.h), with what is happening in each step now and what to do. The
 // window and `doctor` show the same. Pure, allocates; not for the servo thread.
 #pragma once
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/base/failure.h"
-#include "device/report/input_choice.h"
+#include "device/report/motor_report.h"
 
 namespace ghostforce {
 

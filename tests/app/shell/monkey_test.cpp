@@ -23,7 +23,7 @@
 #include "app/shell/gestures.h"
 #include "app/state/apply.h"
 #include "app/state/key_bindings.h"
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/app/shell/monkey.h"
 #include "tests/app/shell/recorded_window.h"

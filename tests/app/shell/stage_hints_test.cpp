@@ -7,7 +7,7 @@
 #include <glad/gl.h>
 
 #include "app/state/apply.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "tests/app/shell/driven_window.h"
 
 namespace ghostforce::stage_hints_test {

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 #include "core/strategy.h"
 #include "tests/support/no_opengl.h"
 #include "tests/support/places.h"

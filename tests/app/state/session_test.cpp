@@ -11,7 +11,7 @@
 #include "app/files/png_writer.h"
 #include "app/picture/handles.h"
 #include "app/stage/hints.h"
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 #include "app/widgets/save_path.h"
 #include "app/workbench/caption.h"
 #include "tests/app/shell/driven_window.h"

@@ -9,7 +9,7 @@
 #include <glad/gl.h>
 
 #include "app/state/apply.h"
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

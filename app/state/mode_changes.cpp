@@ -1,4 +1,4 @@
-#include "app/state/stage_modes.h"
+#include "app/state/mode_changes.h"
 
 #include "app/state/stiffness_probe_guide.h"
 #include "device/report/input_choice.h"

@@ -13,7 +13,7 @@ void leave_stage_mode(Session& session);
 inline constexpr int last_why_step = 4;
 
 // In the circle test another input leads the goal round a circle inside the wall, near to where the person had it; at
-// the end the goal is the person's again, and where it was. To begin it does nothing while it is on.
+// the end the goal is the person's again, and where it was. Beginning it while it is on does nothing.
 void begin_circle_test(Session& session);
 void end_circle_test(Session& session);
 

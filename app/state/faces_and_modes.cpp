@@ -1,4 +1,4 @@
-#include "app/state/stage_mode.h"
+#include "app/state/faces_and_modes.h"
 
 #include <algorithm>
 #include <array>

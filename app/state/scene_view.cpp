@@ -1,4 +1,4 @@
-#include "app/state/scene_view_limits.h"
+#include "app/state/scene_view.h"
 
 #include <algorithm>
 #include <variant>
