@@ -120,7 +120,14 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   if (!frame.is_live) return;
   const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};
   draw_shader_problem(context, scene_corner_, size);
-  draw_notice(context, scene_corner_, size);
+  if (session.face == Face::stage) {
+    // Between its rows of buttons, so that it covers none of them.
+    const ScreenBox& free = stage_.picture().scene;
+    draw_notice(context, {static_cast<float>(free.least.x), static_cast<float>(free.least.y)},
+                {static_cast<float>(free.extent().x), static_cast<float>(free.extent().y)});
+  } else {
+    draw_notice(context, scene_corner_, size);
+  }
   draw_dialog(context);
   draw_focus_ring(theme, styled_scale_);
 }

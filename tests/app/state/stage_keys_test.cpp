@@ -7,6 +7,7 @@
 #include <variant>
 
 #include <glad/gl.h>
+#include <imgui_internal.h>
 
 #include "app/state/apply.h"
 #include "app/state/mode_changes.h"
@@ -204,6 +205,22 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   }
   press(key::page_up);
   expect_step(0);
+}
+
+TEST_F(StageKeysTest, ANoticeCoversNoButton) {
+  session().notice =
+      Notice{.words = "Saved a picture whose name is rather long: /home/somebody/pictures/of-a-lecture/wall45-naive.png",
+             .is_problem = true};
+  frames(3);
+  const ImGuiWindow* const notice = ImGui::FindWindowByName("notice");
+  ASSERT_NE(notice, nullptr);
+  const ImRect box = notice->Rect();
+  ASSERT_GE(screen().stage().picture().buttons.size(), 10U);
+  for (const StageButton& button : screen().stage().picture().buttons) {
+    const bool is_apart = button.box.most.y <= box.Min.y || button.box.least.y >= box.Max.y ||
+                          button.box.most.x <= box.Min.x || button.box.least.x >= box.Max.x;
+    EXPECT_TRUE(is_apart) << button.words << " " << button.box.least.x << " " << button.box.least.y;
+  }
 }
 
 TEST_F(StageKeysTest, NHidesTheNumbersAndShowsThemAgain) {
