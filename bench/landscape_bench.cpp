@@ -7,7 +7,7 @@
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/stage/landscape_contours.h"
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 
 namespace ghostforce {
 namespace {

@@ -46,9 +46,9 @@ set(implot ${bundle}/external/implot/implot)
 add_library(imgui_sources STATIC
   ${imgui}/imgui.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_stacklayout.cpp ${imgui}/imgui_tables.cpp
   ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp
-  ${PROJECT_SOURCE_DIR}/app/paint/page/imgui_state.cpp)
+  ${PROJECT_SOURCE_DIR}/app/paint/web/imgui_state.cpp)
 set_property(SOURCE ${imgui}/backends/imgui_impl_opengl3.cpp APPEND PROPERTY
-  COMPILE_OPTIONS -include ${PROJECT_SOURCE_DIR}/app/paint/page/imgui_state.h)
+  COMPILE_OPTIONS -include ${PROJECT_SOURCE_DIR}/app/paint/web/imgui_state.h)
 target_include_directories(imgui_sources PRIVATE ${PROJECT_SOURCE_DIR})
 target_include_directories(imgui_sources SYSTEM PUBLIC ${imgui} ${imgui}/backends ${implot})
 target_compile_features(imgui_sources PUBLIC cxx_std_20)

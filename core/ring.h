@@ -2,8 +2,8 @@
 // room. A value is written where it stays until it is read: the servo's sample, 600 bytes, costs a fifth less per tick
 // than through a queue that copies it in and takes locked instructions, as those of libraries do.
 //
-// One thread calls slot() and push(), one thread calls try_pop(); neither ever waits. Only the constructor allocates. Plain
-// acquire and release, no fences, so that ThreadSanitizer can check it.
+// One thread calls slot() and push(), one thread calls try_pop(); neither ever waits. Only the constructor allocates.
+// Plain acquire and release, no fences, so that ThreadSanitizer can check it.
 #pragma once
 
 #include <atomic>

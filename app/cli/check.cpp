@@ -163,7 +163,7 @@ std::vector<const Case*> failed_cases(const CheckOptions& options, const std::ve
     const Case* const checked = all[done++];
     if (!verdict.passes) {
       lines.write(fmt::format("FAIL {}  {}{}", quoted_text(verdict.name, longest_path), verdict.reason,
-                              verdict.remedy.empty() ? "; no new golden mends that" : ""));
+                              verdict.remedy.empty() && !verdict.is_file_trouble ? "; no new golden mends that" : ""));
     }
     if (!verdict.remedy.empty()) failed.push_back(checked);
     progress.at(static_cast<std::int64_t>(done));
@@ -180,15 +180,18 @@ std::string typed_line() {
     const ssize_t count = read(STDIN_FILENO, &letter, 1);
     stop_if_interrupted();
     if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (count <= 0) break;
+    if (count <= 0) {
+      say("\n");
+      break;
+    }
     if (letter != '\n') line += letter;
   }
   return line;
 }
 
 bool is_agreed(std::size_t count) {
-  say("Store new goldens for {} {}, after you have looked at what --report shows of {}? [y/N] ",
-      count == 1 ? "this" : "these", count == 1 ? "case" : fmt::format("{} cases", count), count == 1 ? "it" : "them");
+  say("Look first at what --report shows. {} [y/N] ",
+      count == 1 ? "Store a new golden for this case?" : fmt::format("Store new goldens for these {} cases?", count));
   const std::string line = typed_line();
   return line == "y" || line == "Y" || line == "yes";
 }
@@ -196,8 +199,8 @@ bool is_agreed(std::size_t count) {
 int update(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   Lines lines;
-  // CLI11 gives an option without its words the word "true".
-  const bool is_named = options.update != std::vector<std::string>{"true"} || find_case(cases, "true") != nullptr;
+  // CLI11 gives an option without its words one empty word.
+  const bool is_named = options.update != std::vector<std::string>{""};
   const std::vector<const Case*> chosen =
       is_named ? chosen_cases(cases, options.update, "--update") : failed_cases(options, cases, lines);
   if (chosen.empty()) {
@@ -299,7 +302,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   CLI::Option* const update_option =
       command
           .add_option("--update", options->update,
-                      "Store new goldens for these cases; without a name for all that fail, after a question")
+                      "Store new goldens for these cases; without a name, for all that fail, after a question")
           ->type_name("CASE")
           ->expected(0, CLI::detail::expected_max_vector_size)
           ->excludes(only);

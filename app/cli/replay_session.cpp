@@ -15,7 +15,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/shell/desktop/glfw_window.h"
 #include "app/shell/session_replay.h"
 

@@ -30,7 +30,7 @@
 #include "app/files/program_build.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/runs/replay.h"
 #include "app/shell/application.h"
 #include "app/shell/desktop/display_watch.h"

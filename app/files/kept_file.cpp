@@ -96,7 +96,7 @@ void save(const KeptFile& file, std::string_view text, std::span<const std::stri
   OutputFile output(file.path.string());
   output.write(kept_beginning(file.comment));
   output.write(text);
-  if (!keys.empty()) output.write(without_keys(old.text, keys));
+  if (!keys.empty()) output.write(without_named_keys(old.text, keys));
   output.commit();
 }
 

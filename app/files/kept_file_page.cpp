@@ -100,7 +100,7 @@ void save(const KeptFile& file, std::string_view text, std::span<const std::stri
   if (is_of_newer_format(old)) return;  // the page has said so when it read it
   std::string whole = kept_beginning(file.comment);
   whole += text;
-  if (!keys.empty()) whole += without_keys(old, keys);
+  if (!keys.empty()) whole += without_named_keys(old, keys);
   // Every change would say the same again.
   static bool is_told = false;
   if (store_text(key.c_str(), whole.c_str())) {

@@ -33,7 +33,7 @@ std::string damage_words(const std::vector<ReadProblem>& problems) {
   return damage;
 }
 
-std::string without_keys(std::string_view text, std::span<const std::string_view> keys) {
+std::string without_named_keys(std::string_view text, std::span<const std::string_view> keys) {
   toml::table table = parse_toml(text).table;
   table.erase(kept_format_name);
   for (const std::string_view key : keys) table.erase(key);

@@ -20,6 +20,6 @@ bool is_of_newer_format(std::string_view text);
 std::string damage_words(const std::vector<ReadProblem>& problems);
 
 // What of one stands under other keys than these and the format's, values first. Nothing where it is no TOML.
-std::string without_keys(std::string_view text, std::span<const std::string_view> keys);
+std::string without_named_keys(std::string_view text, std::span<const std::string_view> keys);
 
 }  // namespace ghostforce

@@ -1,6 +1,6 @@
 // History: where goal and devices have been, as far as a trail can show it, what the plots show, what was known of the
-// hand, and the moments that a person can look back at. Bounded: a window that runs for days holds no more than one that runs for a minute. One
-// thread.
+// hand, and the moments that a person can look back at. Bounded: a window that runs for days holds no more than one that
+// runs for a minute. One thread.
 #pragma once
 
 #include <cstddef>

@@ -13,7 +13,7 @@
 #include "app/files/scene_file.h"
 #include "app/state/kiosk_visit.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/target.h"
 #include "app/state/undo.h"

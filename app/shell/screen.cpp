@@ -97,7 +97,9 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   const PanelContext context{session, apply_held,      memory,        moment.snapshot,   moment.settings,  loop,
                              theme,   window_.fonts(), styled_scale_, drawing_->gallery, drawing_->lessons};
   if (frame.is_live) keep_tooltips_from_drags();
-  if (session.face == Face::stage) {
+  // What a person does in this frame may lead to the other one.
+  const bool is_on_stage = session.face == Face::stage;
+  if (is_on_stage) {
     draw_stage(session, context, moment, history, frame);
   } else {
     workbench_.draw(session, context, {moment, history, measure_, frame.part, frame.is_live, frame.interval_s});
@@ -120,7 +122,7 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   if (!frame.is_live) return;
   const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};
   draw_shader_problem(context, scene_corner_, size);
-  if (session.face == Face::stage) {
+  if (is_on_stage) {
     // Between its rows of buttons, so that it covers none of them.
     const ScreenBox& free = stage_.picture().scene;
     draw_notice(context, {static_cast<float>(free.least.x), static_cast<float>(free.least.y)},

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 #include "app/stage/stage_layers.h"
 
 namespace ghostforce {

@@ -12,7 +12,7 @@
 #include "app/picture/label_placer.h"
 #include "app/picture/panes.h"
 #include "app/stage/landscape_layout.h"
-#include "app/stage/ribbon_layer.h"
+#include "app/stage/ribbon_layers.h"
 #include "app/stage/stage_content.h"
 #include "app/stage/stage_scene.h"
 

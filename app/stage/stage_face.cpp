@@ -9,7 +9,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/stage/hints.h"
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 #include "app/stage/lesson_content.h"
 #include "app/state/front_keys.h"
 #include "app/state/stiffness_probe_guide.h"

@@ -1,9 +1,9 @@
 // The layers of the stage, back to front; each appends its marks and says what no label may cover.
 #pragma once
 
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 #include "app/stage/lesson_layout.h"
-#include "app/stage/ribbon_layer.h"
+#include "app/stage/ribbon_layers.h"
 #include "app/stage/stage_canvas.h"
 #include "app/stage/stage_content.h"
 

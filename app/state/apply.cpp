@@ -8,7 +8,7 @@
 
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/state/permit.h"
 #include "app/state/scene_view.h"
 #include "app/state/mode_changes.h"

@@ -10,7 +10,7 @@
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/state/mode_changes.h"
 #include "app/state/stage_view.h"
 

@@ -1,5 +1,5 @@
 // Where the renderer's belief about the user comes from, and where the guided measurement of the user stands, which
-// measurement_guide.h leads. Values of the session. SI units.
+// user_measurement_guide.h leads. Values of the session. SI units.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 #include "app/state/permit.h"
 
 #include "app/state/lesson_guide.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 
 namespace ghostforce {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 
 namespace ghostforce {
 namespace {

@@ -23,7 +23,7 @@ double zoom_factor(float wheel) noexcept {
   return std::pow(zoom_per_notch, static_cast<double>(wheel));
 }
 
-float wheel_for(double zoom_factor) noexcept {
+float wheel_of_zoom(double zoom_factor) noexcept {
   return static_cast<float>(std::log(zoom_factor) / std::log(zoom_per_notch));
 }
 

@@ -17,7 +17,7 @@ inline Vector<2> vector_of(ImVec2 point) noexcept {
 // Above 1: closer.
 double zoom_factor(float wheel) noexcept;
 // The wheel that zooms by so much.
-float wheel_for(double zoom_factor) noexcept;
+float wheel_of_zoom(double zoom_factor) noexcept;
 
 // An angle in the hand. It turns by as much as the pointer has gone round the pivot since it was taken hold of, and
 // never jumps to the pointer; in steps, unless it is to turn freely.

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/stage/hints.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "core/prediction.h"

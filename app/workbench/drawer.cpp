@@ -8,7 +8,7 @@
 
 #include "app/files/file_exchange.h"
 #include "app/state/front_keys.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 
 namespace ghostforce {

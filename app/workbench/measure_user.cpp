@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/picture/text.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "app/workbench/panel_catalog.h"

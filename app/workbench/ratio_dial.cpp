@@ -9,7 +9,7 @@
 #include <string>
 #include <utility>
 
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/focus.h"
 

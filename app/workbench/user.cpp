@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "app/picture/text.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/belief.h"

@@ -1,4 +1,4 @@
-// ghostforce-guard: stops the motors of a program that cannot do it itself. See motor_guard.h; guard_page.h says how it is
+// ghostforce-guard: stops the motors of a program that cannot do it itself. See motor_guard.h; guard_memory.h says how it is
 // called. It has one thread, allocates nothing once it watches, and needs the C library alone.
 #include <fcntl.h>
 #include <poll.h>
@@ -15,7 +15,7 @@
 #include <span>
 
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 #include "device/motor_guard/usb_node.h"
 
 namespace ghostforce {
@@ -68,7 +68,7 @@ void become_independent() noexcept {
 
 class Guard {
  public:
-  Guard(GuardPage& page, const char* node) noexcept
+  Guard(GuardMemory& page, const char* node) noexcept
       : page_(page), inherited_(guard_call::device_descriptor), own_(open(node, O_RDWR | O_CLOEXEC | O_NOCTTY)) {}
 
   // It can reach the device by one of its two files at least.
@@ -145,7 +145,7 @@ class Guard {
     return usb_node::send(wire, page_.orders.out_endpoint, {page_.orders.stop.data(), page_.orders.stop_size});
   }
 
-  GuardPage& page_;
+  GuardMemory& page_;
   int inherited_;
   int own_;  // negative: it may not be opened twice
 };
@@ -154,16 +154,16 @@ class Guard {
 bool is_called_rightly() noexcept {
   struct stat page {};
   return fcntl(guard_call::device_descriptor, F_GETFD) >= 0 && fcntl(guard_call::lifeline_descriptor, F_GETFD) >= 0 &&
-         fstat(guard_call::page_descriptor, &page) == 0 && page.st_size == static_cast<off_t>(sizeof(GuardPage));
+         fstat(guard_call::page_descriptor, &page) == 0 && page.st_size == static_cast<off_t>(sizeof(GuardMemory));
 }
 
 int run(const char* node) noexcept {
   if (!is_called_rightly()) return 2;
   become_independent();
   void* const memory =
-      mmap(nullptr, sizeof(GuardPage), PROT_READ | PROT_WRITE, MAP_SHARED, guard_call::page_descriptor, 0);
+      mmap(nullptr, sizeof(GuardMemory), PROT_READ | PROT_WRITE, MAP_SHARED, guard_call::page_descriptor, 0);
   if (memory == MAP_FAILED) return 1;
-  Guard guard(*static_cast<GuardPage*>(memory), node);
+  Guard guard(*static_cast<GuardMemory*>(memory), node);
   if (!guard.has_device()) return 1;
   guard.watch();
   return 0;

@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 namespace ghostforce {
 namespace {
@@ -58,12 +58,12 @@ bool MotorGuard::start(int descriptor, const std::string& node, const GuardOrder
   if (descriptor < 0) return false;
   int page_file = memfd_create("ghostforce-guard", MFD_CLOEXEC);
   void* memory = MAP_FAILED;
-  if (page_file >= 0 && ftruncate(page_file, sizeof(GuardPage)) == 0) {
-    memory = mmap(nullptr, sizeof(GuardPage), PROT_READ | PROT_WRITE, MAP_SHARED, page_file, 0);
+  if (page_file >= 0 && ftruncate(page_file, sizeof(GuardMemory)) == 0) {
+    memory = mmap(nullptr, sizeof(GuardMemory), PROT_READ | PROT_WRITE, MAP_SHARED, page_file, 0);
   }
   bool is_started = false;
   if (memory != MAP_FAILED) {
-    page_ = new (memory) GuardPage{};
+    page_ = new (memory) GuardMemory{};
     page_->orders = orders;
     set_may_push(may_push, monotonic_ns());
     is_started = spawn(descriptor, node, page_file) && wait_until_it_watches();
@@ -139,7 +139,7 @@ void MotorGuard::end() noexcept {
     }
     process_ = -1;
   }
-  if (page_ != nullptr) munmap(std::exchange(page_, nullptr), sizeof(GuardPage));
+  if (page_ != nullptr) munmap(std::exchange(page_, nullptr), sizeof(GuardMemory));
 }
 
 }  // namespace ghostforce

@@ -1,7 +1,7 @@
 // MotorGuard: a small process beside a program with motors, which sends zero force in its place when it cannot: killed,
 // stopped, held by a debugger, starved of processor time, or hanging. The guard has the device's file open too, its memory
 // locked and, where the system grants it, a real-time priority above the servo's; it shares a page of memory with the
-// program (guard_page.h).
+// program (guard_memory.h).
 //
 // It is a program of its own, ghostforce-guard, beside the program that starts it or in ../libexec/ghostforce. Signals do
 // not reach it through the terminal. What it cannot end: a force behind a dead wire, or on a machine that stands still.
@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <string>
 
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 namespace ghostforce {
 
@@ -54,7 +54,7 @@ class MotorGuard {
   bool spawn(int descriptor, const std::string& node, int page_descriptor) noexcept;
   bool wait_until_it_watches() noexcept;
 
-  GuardPage* page_ = nullptr;
+  GuardMemory* page_ = nullptr;
   int lifeline_ = -1;  // a pipe that is never written to: its end tells the guard that this process has gone
   int process_ = -1;
 };

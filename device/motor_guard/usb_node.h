@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 namespace ghostforce::usb_node {
 

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 namespace ghostforce {
 namespace {

@@ -14,7 +14,7 @@ FILES = {
     "core/tick.h": '#include "core/wall.h"\n',
     "core/hand.cpp": "#include <cmath>\n",
     "app/view/stage.cpp": '#include <cmath>\n#  include "core/tick.h"\n',
-    "app/paint/page/opengl.h": "// another one\n",
+    "app/paint/web/opengl.h": "// another one\n",
     "app/paint/desktop/opengl.h": "// one\n",
     "app/paint/painter.cpp": '#include "opengl.h"\n',
     "bench/tick_bench.cpp": '// #include "core/wall.h"\n#include "core/hand.h"\n',
@@ -88,7 +88,7 @@ class ChangedSources(unittest.TestCase):
 
     def test_a_header_that_is_included_by_its_name_alone_counts_wherever_it_is(self):
         self.commit(0)
-        self.commit(30, "app/paint/page/opengl.h")
+        self.commit(30, "app/paint/web/opengl.h")
         self.assertEqual(self.found(), ["app/paint/painter.cpp"])
 
     def test_what_is_not_committed_counts_too(self):

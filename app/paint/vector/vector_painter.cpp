@@ -384,7 +384,7 @@ void tidy_svg(std::string& file, std::string_view title) {
   if (root != std::string::npos) file.insert(root + 1, "\n<title>" + words + "</title>");
 }
 
-void require(cairo_status_t status) {
+void require_cairo(cairo_status_t status) {
   if (status == CAIRO_STATUS_SUCCESS) return;
   throw Failure(ExitCode::bug, fmt::format("Cairo cannot make this picture ({}); a PNG needs no Cairo, and a smaller "
                                            "size less memory",
@@ -401,10 +401,10 @@ std::string paint_pages(std::span<const std::vector<Pane>> pages, const Theme& t
       if (i > 0) cairo_show_page(target.get());
       paint_panes(pages[i], theme, size, text_scale, target.get());
     }
-    require(cairo_status(target.get()));
+    require_cairo(cairo_status(target.get()));
   }
   cairo_surface_finish(surface.get());
-  require(cairo_surface_status(surface.get()));
+  require_cairo(cairo_surface_status(surface.get()));
   if (format == VectorFormat::svg) tidy_svg(file, title);
   return file;
 }

@@ -55,7 +55,7 @@ void TouchGestures::follow(std::span<const Vector<2>> fingers, double now_s) {
     point_at(0.5 * (fingers[0] + fingers[1]));
     press(ImGuiMouseButton_Right);
     const double before = std::exchange(distance_, glm::distance(fingers[0], fingers[1]));
-    if (!begins && before > 0.0 && distance_ > 0.0) io.AddMouseWheelEvent(0.0F, wheel_for(distance_ / before));
+    if (!begins && before > 0.0 && distance_ > 0.0) io.AddMouseWheelEvent(0.0F, wheel_of_zoom(distance_ / before));
     waits_for_lift_ = true;
   }
 }

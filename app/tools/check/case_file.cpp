@@ -309,7 +309,7 @@ constexpr std::array case_keys{
             }},
     CaseKey{"expect", "tolerance",
             [](auto& value, auto& at) {
-              number_into(at.summary.number_tolerance, {.least = 0.0})(value);
+              number_into(at.summary.number_tolerance, {0.0, 1e9})(value);
             }},
     CaseKey{"golden", "renderer", read_origin<&GoldenOrigin::renderer>},
     CaseKey{"golden", "mesa", read_origin<&GoldenOrigin::mesa>},
@@ -351,7 +351,7 @@ void read_keys(CaseReading& at) {
   }
 }
 
-void read_text(ReadCase& into, std::vector<ReadProblem>& problems) {
+void read_case_text(ReadCase& into, std::vector<ReadProblem>& problems) {
   Case& summary = into.summary;
   const std::filesystem::path path = summary.path;
   TomlReader reader(summary.path);
@@ -390,7 +390,7 @@ ReadCase read_case(const std::string& path, std::vector<ReadProblem>& problems) 
     throw unreadable(quoted_text(path, longest_path), file.error);
   } else {
     result.content.text = std::move(file.text);
-    read_text(result, problems);
+    read_case_text(result, problems);
   }
   result.summary.width = result.content.request.width;
   result.summary.height = result.content.request.height;

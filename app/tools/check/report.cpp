@@ -283,7 +283,7 @@ void ReportFolder::write(const CheckReport& report) {
   for (OutputFile& picture : pictures_) picture.commit();
   for (const Verdict& verdict : report.verdicts) {
     for (const PictureKind& kind : picture_kinds) {
-      if (verdict.passes) remove_picture(path_in(folder_, picture_name(verdict, kind)));
+      if (!(verdict.pictures.*kind.bytes).has_value()) remove_picture(path_in(folder_, picture_name(verdict, kind)));
     }
   }
   html_.write(report_as_html(report));

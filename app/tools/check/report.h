@@ -42,8 +42,8 @@ class ReportFolder {
   // that there is has_value() afterwards, and its text has no bytes.
   void take_pictures(Verdict& verdict);
 
-  // Those pictures, report.html and junit.xml; of a case that passes, the three pictures are removed. Nothing else in
-  // the folder is touched.
+  // Those pictures, report.html and junit.xml; what an older report has left of a picture that is none now is removed.
+  // Nothing else in the folder is touched.
   void write(const CheckReport& report);
 
   // Whether a file in the folder is called as if it were one of these.

@@ -187,6 +187,9 @@ class ReadinessCheck {
       if (entry.id == ReadinessStep::outside_wall && state.is_reached && are_on(*motors_)) {
         state.title = "Outside when armed";
       }
+      if (entry.id == ReadinessStep::outside_wall && has_failed && !motors_->is_handle_known) {
+        state.title = "Handle not found yet";
+      }
       if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
         const FaultEntry& fault = readiness_fault(report_.fault);
         // What to do about motors that may push comes first, and nothing against it beside it.
@@ -291,13 +294,13 @@ class ReadinessCheck {
           if (!last.at_once && !last.is_safety_limit) break;
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }
+        if (report_.may_still_push) {
+          return fmt::format("The motors were told to stop: {}.", entry_of(motors_->reason).title);
+        }
         if (report_.is_readable() && is_of_device(motors_->reason)) {
           // Where a step before is still to come, that one says what to do.
           return fmt::format("The motors went off: {}.{}", entry_of(motors_->reason).title,
                              is_current ? " The device is well again: arm the motors." : "");
-        }
-        if (report_.may_still_push) {
-          return fmt::format("The motors were told to stop: {}.", entry_of(motors_->reason).title);
         }
         return turned_off_words("The motors went off", entry_of(motors_->reason));
       }

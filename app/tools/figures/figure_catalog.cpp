@@ -4,7 +4,7 @@
 
 #include "app/base/interruption.h"
 #include "app/files/csv_table.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/tools/figures/figures.h"
 
 namespace ghostforce {

@@ -8,7 +8,7 @@
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
 
-namespace ghostforce::end_of_visit_test {
+namespace ghostforce::end_of_run_test {
 namespace {
 
 FalconReport with_fault(FalconFault fault) {
@@ -82,4 +82,4 @@ TEST(EndOfRun, ASafetyLimitComesFirst) {
 }
 
 }  // namespace
-}  // namespace ghostforce::end_of_visit_test
+}  // namespace ghostforce::end_of_run_test

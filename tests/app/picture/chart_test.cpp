@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/ticks.h"
 

@@ -14,7 +14,7 @@
 
 #include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/shell/desktop/glfw_window.h"
 #include "app/state/keys.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/workbench/panel_catalog.h"
 #include "tests/app/shell/driven_window.h"
 

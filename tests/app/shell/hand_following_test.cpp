@@ -11,7 +11,7 @@
 #include "app/runs/replay.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/state/set_up_of.h"
 #include "core/belief.h"
 #include "tests/app/shell/driven_window.h"

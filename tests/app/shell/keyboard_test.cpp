@@ -10,7 +10,7 @@
 #include <imgui_internal.h>
 
 #include "app/state/apply.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/focus.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"

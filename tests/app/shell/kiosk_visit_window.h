@@ -54,12 +54,13 @@ class KioskVisitWindow : public DrivenWindow {
   // What must be so at any moment, whatever was done. Empty: all is.
   std::string what_is_forbidden() {
     const Session& now = session();
-    if (!now.visit || !now.lesson) return "the lesson is gone";
+    if (!now.kiosk_visit || !now.lesson) return "the lesson is gone";
     if (now.face != Face::stage) return "the workbench is there";
     if (now.dialog != Dialog::none) return "a dialog is open";
     if (now.notice) return "a notice is there: " + now.notice->words;
     if (now.paused) return "time stands still";
     if (now.stage.is_black) return "the stage is black";
+    if (now.stage.hides_numbers) return "the numbers are hidden";
     if (now.stage.looks_back_to_s) return "the stage looks back";
     if (now.appearance != appearance_) return "it looks other";
     if (now.scene->title != scene_title_) return "another scene is open";

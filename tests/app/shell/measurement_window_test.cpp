@@ -10,7 +10,7 @@
 
 #include "app/shell/preferences.h"
 #include "app/picture/glossary.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/prediction.h"
 #include "tests/app/shell/experiments_window.h"

@@ -3,7 +3,7 @@
 #include <array>
 #include <utility>
 
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/workbench/panel_catalog.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"

@@ -1,6 +1,6 @@
 // The landscape as a picture: that words can be read wherever the ring is, that it says what the formula says, and that
 // no settings break it.
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The last minute as marks: in its box, readable, true, and still where nothing moves.
-#include "app/stage/ribbon_layer.h"
+#include "app/stage/ribbon_layers.h"
 
 #include <gtest/gtest.h>
 

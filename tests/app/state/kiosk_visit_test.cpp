@@ -10,7 +10,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_file.h"
 
-namespace ghostforce::visit_test {
+namespace ghostforce::kiosk_visit_test {
 namespace {
 
 void press_key(Session& session, const KeyPress& press) {
@@ -209,4 +209,4 @@ TEST_F(KioskVisitTest, EscTurnsMotorsOffAndLeavesNothing) {
 }
 
 }  // namespace
-}  // namespace ghostforce::visit_test
+}  // namespace ghostforce::kiosk_visit_test

@@ -16,7 +16,7 @@
 #include "app/state/keys.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_file.h"
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/state/kiosk_visit.h"
 
 namespace ghostforce::permit_test {

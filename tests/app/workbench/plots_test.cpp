@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "app/files/scene_file.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/picture/plot_history.h"
 #include "app/tools/figures/curves.h"
 #include "app/tools/figures/figures.h"

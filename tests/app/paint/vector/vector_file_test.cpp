@@ -18,7 +18,7 @@
 
 #include "app/cli/desktop_inputs.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/layers.h"
 #include "app/shell/application.h"

@@ -374,8 +374,8 @@ TEST(Check, RefusesFoldersAndNamesThatAreNot) {
   for (const char* option : {"--only", "--update"}) {
     EXPECT_TRUE(contains(refusal({cases.path(), option, "wall45-naiv"}),
                          fmt::format("{} wall45-naiv: there is no such case; did you mean 'wall45-naive'?", option)));
-    refusal({cases.path(), option});
   }
+  refusal({cases.path(), "--only"});
   refusal({cases.path(), "--only", "wall45-naive", "--update", "wall45-naive"});
   refusal({cases.path(), "--report", cases.beside("report"), "--update", "wall45-naive"});
   refusal({});

@@ -122,6 +122,7 @@ TEST(VerdictBytes, HoldEverything) {
       .remark = "perhaps",
       .remedy = "do",
       .comparison = Comparison{.pixels = 7, .masked = 3, .over = 2, .greatest = 200, .left = 4, .bottom = 9},
+      .numbers = {std::nullopt, CheckedNumber{.expected = 1.5, .actual = 2.5, .tolerance = 0.25}},
       .drawn_by = {"renderer", "mesa", "version"},
       .duration_s = 0.1,
       .pictures = {.expected = "", .actual = std::nullopt, .difference = std::string(100'000, '\0')}};
@@ -134,6 +135,10 @@ TEST(VerdictBytes, HoldEverything) {
   ASSERT_TRUE(read.comparison.has_value());
   EXPECT_EQ(read.comparison->masked, 3);
   EXPECT_EQ(read.comparison->bottom, 9);
+  EXPECT_FALSE(read.numbers[0].has_value());
+  ASSERT_TRUE(read.numbers[1].has_value());
+  EXPECT_EQ(read.numbers[1]->actual, 2.5);
+  EXPECT_EQ(read.numbers[1]->tolerance, 0.25);
   EXPECT_EQ(read.drawn_by, verdict.drawn_by);
   EXPECT_EQ(read.duration_s, 0.1);
   EXPECT_EQ(read.pictures.expected, "");

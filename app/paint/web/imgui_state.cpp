@@ -1,4 +1,4 @@
-#include "app/paint/page/imgui_state.h"
+#include "app/paint/web/imgui_state.h"
 
 #undef glGetIntegerv
 

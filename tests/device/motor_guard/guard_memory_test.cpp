@@ -1,9 +1,9 @@
 // When a guard stops motors, and when it is needed no more.
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 #include <gtest/gtest.h>
 
-namespace ghostforce::guard_page_test {
+namespace ghostforce::guard_memory_test {
 namespace {
 
 constexpr std::int64_t beat_ns = 1'000'000'000;
@@ -35,4 +35,4 @@ TEST(Guard, IsInTime) {
 }
 
 }  // namespace
-}  // namespace ghostforce::guard_page_test
+}  // namespace ghostforce::guard_memory_test

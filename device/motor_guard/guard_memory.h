@@ -1,4 +1,4 @@
-// GuardPage: the page of memory that a program with motors shares with its guard (motor_guard.h), and how the guard is
+// GuardMemory: the page of memory that a program with motors shares with its guard (motor_guard.h), and how the guard is
 // called. The program tells that it lives and what its motors may be doing; the guard tells what it has done about it.
 // All of it is plain atomic memory: neither side ever makes a system call for the other. Times in ns of
 // CLOCK_MONOTONIC.
@@ -41,7 +41,7 @@ enum class GuardState : std::uint8_t {
   failing,   // the device takes nothing; the guard keeps trying
 };
 
-struct GuardPage {
+struct GuardMemory {
   GuardOrders orders;
 
   // The program's.
@@ -72,7 +72,7 @@ GuardAction guard_action(bool has_ended, bool may_push, std::int64_t beat_ns, bo
 namespace guard_call {
 
 inline constexpr int device_descriptor = 3;    // the device's file, with its interface claimed
-inline constexpr int page_descriptor = 4;      // a GuardPage
+inline constexpr int page_descriptor = 4;      // a GuardMemory
 inline constexpr int lifeline_descriptor = 5;  // a pipe that ends when the program does
 
 }  // namespace guard_call

@@ -1,4 +1,4 @@
-#include "device/motor_guard/guard_page.h"
+#include "device/motor_guard/guard_memory.h"
 
 namespace ghostforce {
 

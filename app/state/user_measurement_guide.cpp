@@ -1,4 +1,4 @@
-#include "app/state/measurement_guide.h"
+#include "app/state/user_measurement_guide.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/stage/ribbon_layer.h"
+#include "app/stage/ribbon_layers.h"
 
 #include <algorithm>
 #include <array>

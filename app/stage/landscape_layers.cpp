@@ -1,4 +1,4 @@
-#include "app/stage/landscape_layer.h"
+#include "app/stage/landscape_layers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "app/paint/vector/file_painter.h"
+#include "app/paint/vector/vector_file_painter.h"
 
 #include <cairo.h>
 #include <fmt/format.h>
