@@ -47,7 +47,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);  // and so is a file that may not grow
   try {
     return parse_command_line(std::vector<std::string>(argv + (argc > 0 ? 1 : 0), argv + argc))();
-  } catch (const ReaderGone&) {
+  } catch (const BrokenPipe&) {
     return static_cast<int>(ExitCode::done);
   } catch (const Failure& failure) {
     say("{}\n", failure.what());

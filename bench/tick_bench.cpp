@@ -222,10 +222,10 @@ void log_and_publish(Report& report) {
     sample->loop_s = 0.001;
     sample->sent = newest.motors.sent;
     sample->is_saturated = newest.motors.is_saturated;
-    samples.put();
+    samples.push();
   };
   const auto take_all = [&] {
-    for (Sample taken; samples.take(taken);) keep(&taken);
+    for (Sample taken; samples.try_pop(taken);) keep(&taken);
   };
   constexpr Contest::Length turns_that_fit{.rounds = 201, .seconds_per_turn = 0.0002};
   const Contest contest({{"tick and snapshot",

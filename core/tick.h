@@ -104,11 +104,12 @@ void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& 
 // No device is farther away than this [m]; a scene lies within a metre.
 inline constexpr double farthest_device_m = 1000.0;
 
+// No run is longer: a year and a half at the highest rate, far from where the number of a tick would overflow.
+inline constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
+
 // Whether the simulation has run away, so that it cannot continue from this state: some number in it is not finite, or
 // too large. Settings can make the sampled loop unstable; its numbers then grow without end.
 inline bool has_diverged(const TickState<2>& state) noexcept {
-  // A year and a half at the highest rate; far from where a tick number would overflow.
-  constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
   const auto is_near = [](const Vector<2>& v) {  // false for NaN
     return std::abs(v.x) <= farthest_device_m && std::abs(v.y) <= farthest_device_m;
   };

@@ -22,6 +22,9 @@ void interrupt() noexcept;
 // Throws Failure(ExitCode::interrupted) if so.
 void stop_if_interrupted();
 
+// Who computes ticks asks after so many: well under a hundredth of a second.
+inline constexpr int ticks_between_looks = 1024;
+
 // Something to read from the interruption on, for whoever waits for several things with poll(2). Nobody may take it.
 // Negative: there is none, and poll(2) passes over it.
 int interruption_descriptor() noexcept;

@@ -141,8 +141,6 @@ void print(std::string_view text) {
 
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
                   std::int64_t last, std::span<const StrategyId> ids) {
-  // Well under a hundredth of a second.
-  constexpr std::int64_t ticks_between_looks = 1024;  // at the clock and at interruptions
   Progress progress(std::string(doing), last, !file.is_terminal());
   fmt::memory_buffer rows;
   simulate_from(state, scene, last, [&](const Snapshot& snapshot) {

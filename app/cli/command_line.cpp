@@ -23,10 +23,6 @@
 namespace ghostforce {
 namespace {
 
-bool is_option(std::string_view word) noexcept {
-  return word.starts_with('-') && word != "-";
-}
-
 bool is_command(std::string_view word) {
   return std::ranges::find(command_catalog(), word, &Command::name) != command_catalog().end();
 }

@@ -10,6 +10,11 @@
 #include <fmt/format.h>
 
 namespace ghostforce {
+
+bool is_option(std::string_view word) noexcept {
+  return word.size() > 1 && word.starts_with('-');
+}
+
 namespace {
 
 // What stands before the word that is being typed.
@@ -40,10 +45,6 @@ constexpr std::array path_kinds{
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::ranges::find(names, name) != names.end();
-}
-
-bool is_option(std::string_view word) noexcept {
-  return word.size() > 1 && word.starts_with('-');
 }
 
 const ManualOption* option_named(const ManualCommand& command, std::string_view name) {

@@ -16,6 +16,9 @@ namespace ghostforce {
 // not finished. Reads the folders whose files are to be chosen from.
 std::string completions(const Manual& manual, std::span<const std::string> words);
 
+// A word that names an option: a lone "-" is a standard stream.
+bool is_option(std::string_view word) noexcept;
+
 inline constexpr std::string_view completing_command = "__complete";
 
 // For bash, zsh and fish. They need nothing but the shell and the program.

@@ -40,8 +40,6 @@ constexpr RestCriterion measured_rest{0.0015, 0.5};
 // By so much may differ what was sent from what was asked for [N]: far more than rounding, far less than is felt.
 constexpr double same_force = 1e-6;
 
-constexpr std::size_t ticks_between_looks = 1024;  // at interruptions
-
 struct MeasureUserOptions {
   std::string run;
   std::optional<std::string> target_mm;
@@ -77,7 +75,7 @@ class RestFinder {
     RestWatch<2> goal(criterion_.reach);
     std::size_t first = 0;
     for (std::size_t i = 0; i < run_.ticks.size(); ++i) {
-      if (i % ticks_between_looks == 0) stop_if_interrupted();
+      if (i % std::size_t{ticks_between_looks} == 0) stop_if_interrupted();
       const bool goes_on = i > first && follows(i);
       if (goes_on) {
         see(i, device, goal);

@@ -20,6 +20,7 @@
 #include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
+#include "core/tick.h"
 
 namespace ghostforce {
 namespace {
@@ -33,7 +34,6 @@ constexpr std::size_t most_values = 256;  // in a row
 
 // A tick's time may be this far off, in ticks: programs that wrote it out again may have rounded it.
 constexpr double time_tolerance = 0.01;
-constexpr double last_tick_ever = 1e12;
 
 // What is read of a row; those after the needed ones may be missing: `simulate` and `replay` do not write them.
 enum Column : std::size_t {
@@ -377,7 +377,7 @@ class RunReader {
     if (!run_.scene) return tick_count_;
     const double tick = time_s * settings_.rate;
     // Written so that what is no tick's time is damaged, however far off.
-    if (!(tick >= -time_tolerance && tick <= last_tick_ever && std::abs(tick - std::round(tick)) <= time_tolerance)) {
+    if (!(tick >= -time_tolerance && tick <= double{last_tick_ever} && std::abs(tick - std::round(tick)) <= time_tolerance)) {
       damaged(fmt::format("t_s = {} is not the time of a tick at {} Hz", time_s, settings_.rate));
     }
     return std::llround(tick);

@@ -25,8 +25,8 @@ struct FilePicture {
   double density = 1.0;  // pixels per point, of a PNG
 };
 
-// A value that is handed down by who has such a painter: on the desktop it is Cairo's (paint/vector/file_painter.h). As
-// it is made, it is the painter of a program that has none: it says so.
+// A value that is handed down by who has such a painter: on the desktop it is Cairo's (vector/vector_file_painter.h).
+// As it is made, it is the painter of a program that has none: it says so.
 struct FilePainter {
   // Of the letters that are painted, for those who place labels.
   MeasureText measure = [](std::string_view, const TextStyle&) -> Vector<2> { throw no_painter(); };

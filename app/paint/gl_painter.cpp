@@ -6,6 +6,7 @@
 
 #include "app/paint/area_coverage.h"
 #include "app/paint/shaders.h"
+#include "app/picture/marks.h"
 
 namespace ghostforce {
 namespace {
@@ -30,9 +31,6 @@ float kind_of(Shape shape) {
   }
   return disc_kind;
 }
-
-// From stripe to stripe of a hatched arrow, as a share of its width.
-constexpr double stripe_step = 0.53;
 
 // What is hollow takes the rim's colour for its edge, else another would shine through there.
 Colour fill_within(Colour fill, Colour rim) {

@@ -2,8 +2,6 @@
 
 #include <optional>
 
-#include "app/picture/chart_layout.h"
-
 namespace ghostforce {
 namespace {
 

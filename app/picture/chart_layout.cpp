@@ -1,4 +1,4 @@
-#include "app/picture/chart_layout.h"
+#include "app/picture/chart.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +18,6 @@ constexpr double line_step = 1.25;           // from line to line of words, in t
 constexpr double tick_length = 4.0;          // outside the plot
 constexpr double word_gap = 4.0;             // between a tick and its words
 constexpr double title_gap = 3.0;            // between those and the axis' title
-constexpr double sample_length = 44.0;       // of a line in the legend
 constexpr double padding = 6.0;              // round the legend's entries
 constexpr double clearance = 6.0;            // between legend and curves
 constexpr double least_plot = 24.0;          // a smaller one shows nothing
@@ -231,7 +230,7 @@ class Arrangement {
   // ---- Legend -------------------------------------------------------------------------------------------------------
 
   double row_height() const { return 1.3 * height_of(small_text); }
-  double name_left() const { return points(sample_length + 7.0); }
+  double name_left() const { return points(chart_sample_length + 7.0); }
 
   Vector<2> column_extent() const {
     Vector<2> extent(0.0);
@@ -304,7 +303,7 @@ class Arrangement {
     for (const auto& [series, name, width, at] : named_) {
       const Vector<2> middle = at + Vector<2>(0.0, 0.5 * row_height());
       layout.legend.push_back({series,
-                               {middle, middle + Vector<2>(points(sample_length), 0.0)},
+                               {middle, middle + Vector<2>(points(chart_sample_length), 0.0)},
                                {at + Vector<2>(name_left(), 0.5 * (row_height() - height_of(small_text))), name}});
     }
   }

@@ -144,4 +144,7 @@ struct Mark {
 
 using Marks = std::vector<Mark>;
 
+// From stripe to stripe of a hatched arrow, in widths of the arrow; all painters draw it alike.
+inline constexpr double stripe_step = 0.53;
+
 }  // namespace ghostforce

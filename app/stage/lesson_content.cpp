@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "app/stage/stage.h"
+#include "app/stage/stage_layout.h"
 #include "app/state/kiosk_visit.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
@@ -147,7 +148,6 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
   const MeasureText no_words = [](std::string_view, const TextStyle&) { return Vector<2>(0.0); };
   const Settings& settings = set_up.scene.settings;
   constexpr int whole_explanation = 4;
-  constexpr double height_of_design = 720.0;
   LabelMemory memory;
   Pane pane = compose_stage({.settings = settings,
                              .moment = stage_moment_at_rest(settings, set_up.goal),

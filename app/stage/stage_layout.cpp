@@ -12,8 +12,7 @@
 namespace ghostforce {
 namespace {
 
-// In points of a picture 720 points high.
-constexpr double height_of_design = 720.0;
+// Where nothing else is said, in points of the design.
 constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
 constexpr double sentence_em = 29.0;

@@ -11,6 +11,9 @@
 
 namespace ghostforce {
 
+// Sizes of the stage are in points of a picture that is so high.
+inline constexpr double height_of_design = 720.0;
+
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
 
 // The same for a scene without sentence, numbers and buttons, which then has all of the picture.

@@ -17,6 +17,8 @@ namespace ghostforce {
 namespace {
 
 // Signs that everybody knows, drawn because the font has none of them. `unit` is half a sign's height.
+using DrawSign = void (*)(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour);
+
 void draw_play_sign(ImDrawList& draw_list, ImVec2 middle, float unit, ImU32 colour) {
   draw_list.AddTriangleFilled({middle.x - 0.7F * unit, middle.y - unit}, {middle.x + unit, middle.y},
                               {middle.x - 0.7F * unit, middle.y + unit}, colour);

@@ -18,6 +18,7 @@
 #include "app/files/xml_text.h"
 #include "app/paint/vector/letters.h"
 #include "app/paint/vector/raster_painter.h"
+#include "app/picture/marks.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -36,8 +37,7 @@ constexpr double longest_head = 0.8;
 constexpr double diamond_reach = 1.3;
 constexpr double triangle_half_side = 1.25;
 constexpr double triangle_rise = 0.12;
-constexpr double stripe_step = 0.53;  // in widths of the arrow
-constexpr double stripe_share = 0.4;  // of that
+constexpr double stripe_share = 0.4;  // of stripe_step
 
 constexpr double turn = 2.0 * std::numbers::pi;
 

@@ -128,7 +128,7 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
       moment.circle = meter->reading();
     }
     moment.snapshot = snapshot;
-    if (snapshot.tick % 1024 == 0) stop_if_interrupted();
+    if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
     on_tick(moment);
   });
   if (has_diverged(state)) refuse_unstable_loop();

@@ -147,7 +147,7 @@ namespace {
 
 using Needs = MeasureStep::Needs;
 
-constexpr std::array steps{
+constexpr std::array measure_steps{
     MeasureStep{"Encoders", "You move the handle in three directions. The motors stay off.", measure_encoders,
                 Needs::nothing, Needs::encoders},
     MeasureStep{"Lengths", "You move the handle along a ruler, five times. The motors stay off.", measure_lengths,
@@ -169,7 +169,7 @@ constexpr std::array steps{
 }  // namespace
 
 std::span<const MeasureStep> measure_step_catalog() noexcept {
-  return steps;
+  return measure_steps;
 }
 
 }  // namespace ghostforce

@@ -18,7 +18,6 @@ namespace {
 constexpr double edge = 14.0;      // of the paper
 constexpr double between = 12.0;   // panes of a row
 constexpr double line_step = 1.3;  // from line to line, in their heights
-constexpr double sample_length = 44.0;
 constexpr double entry_gap = 16.0;  // between entries of the legend
 
 Pane empty_pane(const Vector<2>& corner, const Vector<2>& size) {
@@ -126,7 +125,7 @@ void Sheet::add_legend(const std::vector<LegendEntry>& entries) {
   const double room = figure_.size.x - 2.0 * edge;
   const double height = small_text.height;
   const double row = 1.6 * height;
-  const auto sample_of = [](const LegendEntry& entry) { return entry.has_line ? sample_length : 16.0; };
+  const auto sample_of = [](const LegendEntry& entry) { return entry.has_line ? chart_sample_length : 16.0; };
   // Where each begins; at first in a pane that is high enough for one entry a row.
   std::vector<Vector<2>> starts;
   Vector<2> at(0.0);

@@ -22,7 +22,6 @@ namespace ghostforce {
 namespace {
 
 constexpr std::int64_t ticks_between_moments = 5;   // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
-constexpr std::int64_t ticks_between_looks = 1024;  // at interruptions
 constexpr std::int64_t most_moments = 6000;         // more are finer than any picture
 
 struct Thinned {

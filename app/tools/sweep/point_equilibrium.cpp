@@ -15,7 +15,7 @@ namespace ghostforce {
 namespace {
 
 // Ticks between two looks at whether the devices stand still: a look costs about as much as twenty ticks of a lane.
-constexpr std::int64_t ticks_between_looks = 64;
+constexpr std::int64_t ticks_between_checks = 64;
 
 constexpr double picometre = 1e-12;  // [m]
 
@@ -103,8 +103,8 @@ void simulate_together(const GoalPath& path, std::span<const SimulatedPoint> poi
   // A hand that comes straight at the wall excites nothing along it, and an unstable loop could stand on its edge.
   batch.displace(nudge);
   for (std::size_t i = 0; i < lanes.size(); ++i) batch.set_goal(i, goal);
-  for (std::int64_t held = 0; held < most_held_ticks && !lanes.empty(); held += ticks_between_looks) {
-    batch.hold(ticks_between_looks);
+  for (std::int64_t held = 0; held < most_held_ticks && !lanes.empty(); held += ticks_between_checks) {
+    batch.hold(ticks_between_checks);
     // Backwards: the lane that comes in a removed one's place has been looked at.
     for (std::size_t i = lanes.size(); i-- > 0;) {
       const Batch::Lane now = batch[i];
