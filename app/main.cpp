@@ -11,8 +11,8 @@
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/words.h"
-#include "app/cli/command_line.h"
 #include "app/cli/command.h"
+#include "app/cli/command_line.h"
 #include "app/files/output_file.h"
 #include "device/falcon/emergency_stop.h"
 

@@ -21,7 +21,6 @@
 #include "app/files/scene_file.h"
 #include "app/shell/desktop/glfw_window.h"
 #include "app/shell/preferences.h"
-#include "app/shell/preferences.h"
 #include "app/shell/screen.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"

@@ -65,7 +65,7 @@ class Ring {
 
   std::unique_ptr<Slot[]> memory_;
   // A cache line each, so that writer and reader do not slow each other down.
-  alignas(64) std::atomic<std::uint64_t> pushed_{0};    // values pushed
+  alignas(64) std::atomic<std::uint64_t> pushed_{0};  // values pushed
   std::uint64_t popped_as_seen_ = 0;                  // as the writer last read popped_
   alignas(64) std::atomic<std::uint64_t> popped_{0};  // values popped
 };

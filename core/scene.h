@@ -14,10 +14,10 @@
 
 #include <glm/common.hpp>
 
+#include "core/conventions.h"
 #include "core/goal_path.h"
 #include "core/settings.h"
 #include "core/tremor_and_drift.h"
-#include "core/conventions.h"
 
 namespace ghostforce {
 

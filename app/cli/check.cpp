@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -102,7 +102,7 @@ struct CheckOptions {
   std::string folder;              // the former
   std::vector<std::string> only;
   std::vector<std::string> update;
-  bool updates = false;      // --update is there, with names or without
+  bool updates = false;       // --update is there, with names or without
   bool asks_nothing = false;  // --yes
   std::string report;
   int jobs = 1;
@@ -342,7 +342,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
       "  mask = [[0, 0, 200, 40]]    # x, y, width, height of what is not compared, in pixels\n"
       "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
       "  [expect]                    # numbers of the strategy, beside the picture\n"
-      "  ghost_force_N = 1.2728      # and force_N, proxy_drift_mm, energy_mJ\n"
+      "  ghost_force_N = 1.2678      # and force_N, proxy_drift_mm, energy_mJ\n"
       "  tolerance = 1e-4            # default: 1e-6\n"
       "  [tolerance]                 # default: exact\n"
       "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"

@@ -10,15 +10,15 @@
 #include <fmt/core.h>
 #include <CLI/CLI.hpp>
 
-#include "app/base/typed_text.h"
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
+#include "app/cli/completion.h"
 #include "app/cli/version.h"
 #include "app/files/scene_file.h"
-#include "app/shell/desktop/renderer.h"
-#include "app/cli/completion.h"
+#include "app/shell/desktop/offscreen.h"
 
 namespace ghostforce {
 namespace {

@@ -10,8 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/cli/overwrite_guard.h"
 #include "app/cli/manual.h"
+#include "app/cli/overwrite_guard.h"
 
 namespace ghostforce {
 

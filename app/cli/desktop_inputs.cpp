@@ -6,8 +6,8 @@
 #include <memory>
 #include <string_view>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
@@ -60,7 +60,7 @@ std::vector<InputEntry> simulated_inputs() {
 }
 
 EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
-                        const EndOfRun& of_input) {
+                    const EndOfRun& of_input) {
   if (const OffReasonEntry& reason = entry_of(motors.reason); reason.is_safety_limit) {
     return {ExitCode::safety_stop, fmt::format("The motors went off ({}). {}", reason.title, reason.remedy)};
   }

@@ -30,8 +30,7 @@ std::vector<InputEntry> simulated_inputs();
 
 // How a run of the window ended, as far as the input's device is concerned. Pure.
 // `readiness`: of the input, empty where it has none; `of_input`: what its link says.
-EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
-                        const EndOfRun& of_input);
+EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness, const EndOfRun& of_input);
 
 // The options of the command line that are about a Falcon, and what they make of the files that it needs. Shared by the
 // commands that drive one.

@@ -13,8 +13,8 @@
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
-#include "core/prediction.h"
 #include "core/conventions.h"
+#include "core/prediction.h"
 
 namespace ghostforce {
 namespace {

@@ -4,16 +4,16 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/language.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
-#include "app/state/lesson_file.h"
 #include "app/state/faces_and_modes.h"
+#include "app/state/lesson_file.h"
 #include "device/report/input_choice.h"
 
 namespace ghostforce {

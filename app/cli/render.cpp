@@ -23,8 +23,8 @@
 #include "app/files/png_writer.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/shell/desktop/offscreen.h"
-#include "app/state/set_up_of.h"
 #include "app/state/set_up.h"
+#include "app/state/set_up_of.h"
 #include "core/scene.h"
 
 namespace ghostforce {

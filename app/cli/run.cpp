@@ -16,16 +16,16 @@
 #include <fmt/ranges.h>
 #include <CLI/CLI.hpp>
 
-#include "app/base/typed_text.h"
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/lesson_options.h"
-#include "app/cli/reading_aloud.h"
 #include "app/cli/picture_options.h"
+#include "app/cli/reading_aloud.h"
 #include "app/files/output_file.h"
 #include "app/files/program_build.h"
 #include "app/files/run_reader.h"

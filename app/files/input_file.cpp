@@ -8,8 +8,8 @@
 #include <cerrno>
 #include <utility>
 
-#include "app/base/typed_text.h"
 #include "app/base/interruption.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 namespace {

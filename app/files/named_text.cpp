@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 
 namespace ghostforce {

@@ -377,7 +377,8 @@ class RunReader {
     if (!run_.scene) return tick_count_;
     const double tick = time_s * settings_.rate;
     // Written so that what is no tick's time is damaged, however far off.
-    if (!(tick >= -time_tolerance && tick <= double{last_tick_ever} && std::abs(tick - std::round(tick)) <= time_tolerance)) {
+    if (!(tick >= -time_tolerance && tick <= double{last_tick_ever} &&
+          std::abs(tick - std::round(tick)) <= time_tolerance)) {
       damaged(fmt::format("t_s = {} is not the time of a tick at {} Hz", time_s, settings_.rate));
     }
     return std::llround(tick);

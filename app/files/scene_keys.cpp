@@ -9,8 +9,8 @@
 
 #include <fmt/core.h>
 
-#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 namespace {

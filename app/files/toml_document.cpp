@@ -8,8 +8,8 @@
 
 #include <fmt/format.h>
 
-#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/read_error.h"
 #include "app/files/toml_parse.h"
 

@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/files/image.h"
 #include "app/files/descriptor.h"
+#include "app/files/image.h"
 #include "app/files/output_file.h"
 
 namespace ghostforce {

@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "app/picture/glossary.h"
 #include "app/picture/layers.h"
 #include "app/picture/text.h"
-#include "app/picture/glossary.h"
 #include "core/conventions.h"
 
 namespace ghostforce {

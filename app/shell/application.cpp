@@ -13,10 +13,10 @@
 #include "app/files/scene_file.h"
 #include "app/state/kiosk_visit.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/target.h"
 #include "app/state/undo.h"
+#include "app/state/user_measurement_guide.h"
 #include "core/simulate.h"
 #include "core/tick.h"
 

@@ -34,9 +34,9 @@ struct ApplicationOptions {
   Part part = Part::window;
   Appearance appearance{};
   Face face = Face::workbench;
-  StageMode mode = StageMode::none;                    // of the stage
-  std::shared_ptr<const Lesson> lesson{};              // that begins at once; null: none
-  std::string language{"en"};                          // of the stage and of lessons
+  StageMode mode = StageMode::none;                          // of the stage
+  std::shared_ptr<const Lesson> lesson{};                    // that begins at once; null: none
+  std::string language{"en"};                                // of the stage and of lessons
   std::vector<std::shared_ptr<const Lesson>> kiosk_visit{};  // of the visitor's mode; empty: an ordinary run
   LessonProgress lesson_progress{};
   std::vector<InputEntry> inputs{};     // all that there are

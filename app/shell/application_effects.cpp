@@ -12,12 +12,12 @@
 #include "app/shell/application.h"
 #include "app/shell/preferences.h"
 #include "app/state/live_table.h"
-#include "app/state/user_measurement_guide.h"
+#include "app/state/mode_changes.h"
 #include "app/state/permit.h"
 #include "app/state/scene_view.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/mode_changes.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/workbench/plot_export.h"
 
 namespace ghostforce {

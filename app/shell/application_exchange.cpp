@@ -16,9 +16,9 @@
 #include "app/shell/file_kind.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
+#include "app/state/mode_changes.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/mode_changes.h"
 
 namespace ghostforce {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/paint/label_painter.h"
-#include "app/picture/panes.h"
 #include "app/picture/moment_history.h"
+#include "app/picture/panes.h"
 #include "app/state/action.h"
 #include "app/widgets/pointing.h"
 

@@ -134,8 +134,8 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   draw_focus_ring(theme, styled_scale_);
 }
 
-void Screen::draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment, const History& history,
-                        const Frame& frame) {
+void Screen::draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment,
+                        const History& history, const Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   scene_corner_ = {0.0F, 0.0F};
   scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y)};

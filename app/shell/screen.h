@@ -8,8 +8,8 @@
 
 #include "app/paint/gl_painter.h"
 #include "app/paint/scene_gallery.h"
-#include "app/picture/panes.h"
 #include "app/picture/moment_history.h"
+#include "app/picture/panes.h"
 #include "app/picture/trail_history.h"
 #include "app/shell/keyboard.h"
 #include "app/shell/window.h"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 
 #include "app/picture/moment_history.h"
-#include "app/state/stiffness_probe_guide.h"
 #include "app/state/kiosk_visit.h"
+#include "app/state/stiffness_probe_guide.h"
 #include "core/belief.h"
 #include "core/conventions.h"
 

@@ -8,8 +8,8 @@
 
 #include "app/shell/window.h"
 #include "app/stage/hints.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/state/target.h"
+#include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/caption.h"
 #include "app/workbench/drawer.h"

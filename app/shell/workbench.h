@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/picture/panes.h"
 #include "app/picture/moment_history.h"
+#include "app/picture/panes.h"
 #include "app/picture/trail_history.h"
 #include "app/shell/gestures.h"
 #include "app/shell/window.h"

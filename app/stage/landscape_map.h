@@ -1,4 +1,4 @@
-// The parts of the landscape's picture that show numbers as colours; landscape_layer.cpp puts them together.
+// The parts of the landscape's picture that show numbers as colours; landscape_layers.cpp puts them together.
 #pragma once
 
 #include <string>

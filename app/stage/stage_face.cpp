@@ -12,13 +12,13 @@
 #include "app/stage/landscape_layers.h"
 #include "app/stage/lesson_content.h"
 #include "app/state/front_keys.h"
-#include "app/state/stiffness_probe_guide.h"
-#include "app/state/lesson_guide.h"
-#include "app/state/stage_action.h"
-#include "app/state/mode_changes.h"
-#include "app/state/stage_view.h"
-#include "app/state/target.h"
 #include "app/state/kiosk_visit.h"
+#include "app/state/lesson_guide.h"
+#include "app/state/mode_changes.h"
+#include "app/state/stage_action.h"
+#include "app/state/stage_view.h"
+#include "app/state/stiffness_probe_guide.h"
+#include "app/state/target.h"
 
 namespace ghostforce {
 namespace {
@@ -132,16 +132,17 @@ std::optional<StageMeasuring> measuring_content(const Session& session) {
 std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
   if (loop.diverged) {
-    return std::string(session.face == Face::stage && !session.kiosk_visit ? words.unstable : words.unstable_on_workbench);
+    return std::string(session.face == Face::stage && !session.kiosk_visit ? words.unstable
+                                                                           : words.unstable_on_workbench);
   }
   if (loop.motors.may_still_push) {
     return session.kiosk_visit ? std::string(words.motors_may_still_push_for_visitors)
-                         : filled(words.motors_may_still_push, front_keys().device_status.shown);
+                               : filled(words.motors_may_still_push, front_keys().device_status.shown);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
-                         : filled(words.device_not_ready, front_keys().device_status.shown);
+                               : filled(words.device_not_ready, front_keys().device_status.shown);
   }
   if (loop.motors.state == SafetyState::arming && loop.motors.obstacle != ArmingObstacle::none) {
     const auto& waits = stage_language(session.language).motors.waits;

@@ -1,13 +1,19 @@
 // The layers of the stage, back to front; each appends its marks and says what no label may cover.
 #pragma once
 
-#include "app/stage/landscape_layers.h"
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/stage/landscape_layout.h"
 #include "app/stage/lesson_layout.h"
-#include "app/stage/ribbon_layers.h"
 #include "app/stage/stage_canvas.h"
 #include "app/stage/stage_content.h"
 
 namespace ghostforce {
+
+struct Ribbon;
 
 struct StageLayer {
   const StageContent& content;

@@ -276,20 +276,19 @@ using Effect = std::variant<Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenL
                             StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
-using Action =
-    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
-                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy,
-                 TurnWallToLargestDrift, TurnRatio, ChooseStrategy, ChooseByNumber, TogglePause, StepBack, StepOn,
-                 Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep,
-                 PreviousStep, ToggleBlank, ToggleNumbers, AnswerLesson, LeaveLesson, NextLanguage, ArmMotors, StopMotors,
-                 AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, PanView, TogglePlots,
-                 NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, ChangeSpeed,
-                 ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
-                 SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
-                 TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest,
-                 ChangeCircle, FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen,
-                 Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
-                 CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
+using Action = std::variant<
+    MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnLandscapeDial,
+    LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy,
+    ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
+    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleNumbers, AnswerLesson, LeaveLesson,
+    NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView,
+    PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput,
+    ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
+    SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
+    CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest,
+    ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson,
+    DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink,
+    StartRecording, StopRecording, ResetPreferences>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;

@@ -6,13 +6,13 @@
 #include <numbers>
 #include <utility>
 
-#include "app/state/stiffness_probe_guide.h"
+#include "app/state/kiosk_visit.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/user_measurement_guide.h"
+#include "app/state/mode_changes.h"
 #include "app/state/permit.h"
 #include "app/state/scene_view.h"
-#include "app/state/mode_changes.h"
-#include "app/state/kiosk_visit.h"
+#include "app/state/stiffness_probe_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "core/conventions.h"
 
 namespace ghostforce {

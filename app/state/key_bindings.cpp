@@ -151,7 +151,7 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     called(&Name::next_step, {key::page_down, none, "PgDn PgUp", "Lesson or talk: next / previous step", NextStep{}}),
     called(&Name::previous_step, {key::page_up, none, "", "", PreviousStep{}}),
     called(&Name::blank, {key::b, none, "B", {}, ToggleBlank{}}),
-    called(&Name::numbers, {key::n, none, "N", {}, ToggleNumbers{}}),
+    called(&Name::numbers, {key::a, none, "A", {}, ToggleNumbers{}}),
 
     bound(keys.device_status, &Name::device_status, ToggleDialog{Dialog::doctor}, true, "Device"),
     KeyBinding{key::escape, none, "Esc", "Motors off; once they are off, close what is open (never quits)", Escape{}, false, true},

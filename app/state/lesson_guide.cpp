@@ -7,12 +7,12 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/state/mode_changes.h"
 #include "app/state/stage_view.h"
+#include "app/state/stiffness_probe_guide.h"
+#include "app/state/user_measurement_guide.h"
 
 namespace ghostforce {
 namespace {

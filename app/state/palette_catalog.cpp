@@ -10,12 +10,12 @@
 #include <fmt/format.h>
 
 #include "app/files/scene_file.h"
+#include "app/state/faces_and_modes.h"
 #include "app/state/front_keys.h"
 #include "app/state/key_bindings.h"
 #include "app/state/lesson_file.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
-#include "app/state/faces_and_modes.h"
 
 namespace ghostforce {
 namespace {
@@ -320,7 +320,8 @@ std::vector<std::size_t> find_in_palette(std::span<const PaletteEntry> entries, 
     if (has_all) found.push_back({{sum, !entries[i].refusal.empty(), i}, is_part});
   }
   // "fault" is not to find "default" where something is about faults.
-  if (!std::ranges::all_of(found, &Found::is_part)) std::erase_if(found, [](const Found& each) { return each.is_part; });
+  if (!std::ranges::all_of(found, &Found::is_part))
+    std::erase_if(found, [](const Found& each) { return each.is_part; });
   std::ranges::sort(found, {}, &Found::order);
   std::vector<std::size_t> numbers;
   for (const Found& each : found) numbers.push_back(std::get<std::size_t>(each.order));

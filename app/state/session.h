@@ -18,10 +18,10 @@
 #include "app/picture/pane_views.h"
 #include "app/picture/theme.h"
 #include "app/picture/view.h"
+#include "app/state/faces_and_modes.h"
 #include "app/state/lesson.h"
 #include "app/state/lesson_progress.h"
 #include "app/state/measurement.h"
-#include "app/state/faces_and_modes.h"
 #include "app/state/stage_view.h"
 #include "core/conventions.h"
 #include "core/hand_estimator.h"
@@ -247,13 +247,13 @@ struct Session {
   bool is_editing = false;                           // a control or a handle is held: its change is not complete yet
   Face face = Face::workbench;
   StageChoice stage;
-  std::optional<LessonState> lesson;    // empty: there is none
-  LessonProgress lesson_progress;       // in all lessons
-  std::string language{"en"};           // of the stage and of lessons, of ISO 639-1
-  std::optional<KioskVisit> kiosk_visit;// of the visitor's mode; empty: an ordinary run
-  SceneView shown;                      // the part of the world in the workbench's picture,
-  std::optional<PaneViews> pane_views;  // in its panes side by side; empty: the next picture fits them to its moment
-  SceneView stage_shown;                // and in the stage's
+  std::optional<LessonState> lesson;      // empty: there is none
+  LessonProgress lesson_progress;         // in all lessons
+  std::string language{"en"};             // of the stage and of lessons, of ISO 639-1
+  std::optional<KioskVisit> kiosk_visit;  // of the visitor's mode; empty: an ordinary run
+  SceneView shown;                        // the part of the world in the workbench's picture,
+  std::optional<PaneViews> pane_views;    // in its panes side by side; empty: the next picture fits them to its moment
+  SceneView stage_shown;                  // and in the stage's
   ViewOptions options;
   PlotView plots;
   Appearance appearance;

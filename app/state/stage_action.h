@@ -9,8 +9,8 @@
 #include <variant>
 
 #include "app/state/action.h"
-#include "app/state/stage_language.h"
 #include "app/state/faces_and_modes.h"
+#include "app/state/stage_language.h"
 #include "core/strategy.h"
 
 namespace ghostforce {

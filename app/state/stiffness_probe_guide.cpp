@@ -43,7 +43,8 @@ void end_stiffness_probe(Session& session) noexcept {
   probe = {.before = probe.is_known() ? std::optional(probe.estimate) : probe.before};
 }
 
-void follow_stiffness_probe(Session& session, const Snapshot& snapshot, const MotorReport& motors, const HandReading& hand) {
+void follow_stiffness_probe(Session& session, const Snapshot& snapshot, const MotorReport& motors,
+                            const HandReading& hand) {
   StiffnessProbe& probe = session.stiffness_probe;
   const double given_k_u = session.settings.stiffnesses.k_u;
   // A hand that grips otherwise is not the one that was measured.

@@ -15,7 +15,8 @@ void start_stiffness_probe(Session& session);
 void end_stiffness_probe(Session& session) noexcept;
 
 // Once per frame, with what is seen now.
-void follow_stiffness_probe(Session& session, const Snapshot& snapshot, const MotorReport& motors, const HandReading& hand);
+void follow_stiffness_probe(Session& session, const Snapshot& snapshot, const MotorReport& motors,
+                            const HandReading& hand);
 
 // As it is when it has come to that estimate; in front of the wall it still waits.
 void show_stiffness_probe(Session& session, const HandEstimate& estimate) noexcept;

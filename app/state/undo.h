@@ -8,8 +8,8 @@
 #include <string>
 #include <utility>
 
-#include "app/state/measurement.h"
 #include "app/state/faces_and_modes.h"
+#include "app/state/measurement.h"
 #include "core/scene.h"
 
 namespace ghostforce {

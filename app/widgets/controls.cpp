@@ -12,8 +12,8 @@
 
 #include "app/widgets/focus.h"
 #include "app/widgets/symbol_text.h"
-#include "core/scene.h"
 #include "core/conventions.h"
+#include "core/scene.h"
 
 namespace ghostforce {
 

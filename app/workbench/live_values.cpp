@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/picture/text.h"
 #include "app/picture/glossary.h"
+#include "app/picture/text.h"
 #include "app/state/front_keys.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
-#include "core/settings.h"
 #include "core/conventions.h"
+#include "core/settings.h"
 
 namespace ghostforce {
 namespace {

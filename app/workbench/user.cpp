@@ -12,8 +12,8 @@
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/belief.h"
-#include "core/prediction.h"
 #include "core/conventions.h"
+#include "core/prediction.h"
 
 namespace ghostforce {
 namespace {

@@ -8,8 +8,11 @@
 #include <thread>
 #include <utility>
 
+#define GLFW_EXPOSE_NATIVE_WAYLAND
+#define GLFW_NATIVE_INCLUDE_NONE  // nothing of Wayland is needed to build
 #include <GLFW/glfw3.h>
 #include <GLFW/glfw3native.h>
+
 #include <dlfcn.h>
 #include <poll.h>
 #include <pthread.h>
@@ -21,9 +24,6 @@
 #include "app/base/words.h"
 #include "device/input/thread_signals.h"
 #include "device/servo/realtime.h"
-
-#define GLFW_EXPOSE_NATIVE_WAYLAND
-#define GLFW_NATIVE_INCLUDE_NONE  // nothing of Wayland is needed to build
 
 namespace ghostforce {
 namespace {

@@ -10,7 +10,6 @@
 #include "app/shell/desktop/opengl_window.h"
 #include "app/shell/window.h"
 
-struct GLFWmonitor;
 struct GLFWwindow;
 
 namespace ghostforce {
@@ -70,11 +69,5 @@ class GlfwWindow : public Window {
     int x = 0, y = 0;
   } restored_corner_;
 };
-
-// A window's size, at most as large as what the desktop leaves free of the primary monitor; as WindowOptions has it.
-WindowSize fitted(WindowSize size);
-
-// The monitor that shows most of the window; null: there is none.
-GLFWmonitor* monitor_of(GLFWwindow* window);
 
 }  // namespace ghostforce

@@ -120,4 +120,21 @@ void draw_clip(const PictureRequest& request, const ClipTimes& times, const std:
 nlohmann::ordered_json describe_picture(const PictureRequest& request, const Moment& moment,
                                         const std::vector<Pane>& panes, const Vector<2>& corner);
 
+// Whether this machine has a renderer.
+struct RendererFinding {
+  Renderer renderer;
+  bool is_there = false;
+  bool is_default = false;  // draws where nobody asks for one
+  std::string words;        // what draws and its version, or why it cannot and what to install
+};
+
+// In the order of the catalog. Each is tried in a process of its own, so that a driver that crashes or hangs does no
+// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it while there is
+// one thread.
+std::vector<RendererFinding> examine_renderers();
+
+// One line about the renderer that draws where nobody asks for one, "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core
+// Profile) Mesa 22.3.6, by egl", or why there is none.
+std::string default_renderer_words();
+
 }  // namespace ghostforce

@@ -12,7 +12,9 @@
 #include "app/shell/desktop/display_watch.h"
 #include "app/shell/desktop/egl_context.h"
 #include "app/shell/desktop/renderer.h"
+#include "app/shell/window.h"
 
+struct GLFWmonitor;
 struct GLFWwindow;
 
 namespace ghostforce {
@@ -71,5 +73,11 @@ class OpenGlWindow {
 // threads of the software renderer, that gets none, and draws the same more slowly. Throws Failure(file_trouble) where
 // there is no room, whose words end in what else the person can do, the `remedy`.
 void make_room_for_drawing(int width, int height, std::string_view remedy);
+
+// A window's size, at most as large as what the desktop leaves free of the primary monitor; as WindowOptions has it.
+WindowSize fitted(WindowSize size);
+
+// The monitor that shows most of the window; null: there is none.
+GLFWmonitor* monitor_of(GLFWwindow* window);
 
 }  // namespace ghostforce

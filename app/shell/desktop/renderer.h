@@ -1,13 +1,10 @@
-// What draws offscreen: the catalog of renderers, which is immutable, any thread; the driver that is chosen for them;
-// and which of them this machine has.
+// What draws offscreen: the catalog of renderers, which is immutable, any thread; and the driver that is chosen for them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace ghostforce {
 
@@ -32,22 +29,5 @@ std::optional<Renderer> find_renderer(std::string_view name) noexcept;
 // other pictures, or crash where there is no desktop. Takes such variables out of the environment, and says so on the
 // standard error. Before any OpenGL is loaded and any thread is started.
 void choose_offscreen_driver();
-
-// Whether this machine has a renderer.
-struct RendererFinding {
-  Renderer renderer;
-  bool is_there = false;
-  bool is_default = false;  // draws where nobody asks for one
-  std::string words;        // what draws and its version, or why it cannot and what to install
-};
-
-// In the order of the catalog. Each is tried in a process of its own, so that a driver that crashes or hangs does no
-// harm, and nothing of it stays. Takes some 50 ms each. Throws nothing but Failure(interrupted). Call it while there is
-// one thread.
-std::vector<RendererFinding> examine_renderers();
-
-// One line about the renderer that draws where nobody asks for one, "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 4.5 (Core
-// Profile) Mesa 22.3.6, by egl", or why there is none.
-std::string default_renderer_words();
 
 }  // namespace ghostforce

@@ -1,4 +1,3 @@
-#include "app/shell/preferences.h"
 #include "app/shell/web/page.h"
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "app/base/language.h"
 #include "app/files/read_error.h"
 #include "app/files/scene_file.h"
+#include "app/shell/preferences.h"
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page_inputs.h"
 #include "app/state/lesson_file.h"

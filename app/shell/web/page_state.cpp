@@ -15,10 +15,10 @@
 #include "app/runs/replay.h"
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page.h"
+#include "app/state/faces_and_modes.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "app/state/faces_and_modes.h"
 #include "core/simulate.h"
 
 namespace ghostforce {

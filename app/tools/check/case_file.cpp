@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "app/base/typed_text.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/scene_file.h"
 #include "app/files/toml_document.h"
@@ -341,7 +341,7 @@ void read_keys(CaseReading& at) {
     return at.reader.find("expect", quantity.column).has_value();
   });
   if (at.reader.has_table("expect") && !has_number) {
-    at.reader.refuse("the table [expect] states no number", "give one, as in ghost_force_N = 1.2728",
+    at.reader.refuse("the table [expect] states no number", "give one, as in ghost_force_N = 1.2678",
                      at.reader.find("", "expect"));
   }
   if (at.summary.origin && at.summary.expectation != Expectation::golden) {

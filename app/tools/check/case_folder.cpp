@@ -7,10 +7,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "app/base/typed_text.h"
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 
 namespace ghostforce {

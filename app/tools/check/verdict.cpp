@@ -80,8 +80,8 @@ std::string compare_numbers(const Case& checked, const StrategySnapshot<2>& actu
   for (std::size_t i = 0; i < quantity_count; ++i) {
     if (!checked.numbers[i]) continue;
     const Quantity& quantity = quantity_catalog()[i];
-    const CheckedNumber& number =
-        verdict.numbers[i].emplace(CheckedNumber{*checked.numbers[i], quantity.value(actual), checked.number_tolerance});
+    const CheckedNumber& number = verdict.numbers[i].emplace(
+        CheckedNumber{*checked.numbers[i], quantity.value(actual), checked.number_tolerance});
     if (number.passes()) continue;
     wrong.push_back(
         fmt::format("{} is {}, not {} ± {}", quantity.column, number.actual, number.expected, number.tolerance));

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "app/base/quoted.h"
+#include "app/tools/doctor/motors.h"
 #include "app/tools/doctor/steps.h"
 #include "device/falcon/falcon_report.h"
-#include "app/tools/doctor/motors.h"
 
 namespace ghostforce {
 namespace {

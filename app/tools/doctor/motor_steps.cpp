@@ -8,8 +8,8 @@
 #include <fmt/ranges.h>
 #include <glm/geometric.hpp>
 
-#include "app/tools/doctor/steps.h"
 #include "app/tools/doctor/motors.h"
+#include "app/tools/doctor/steps.h"
 
 namespace ghostforce {
 namespace {

@@ -9,10 +9,10 @@
 #include <glm/common.hpp>
 
 #include "app/base/quoted.h"
-#include "app/tools/doctor/steps.h"
-#include "core/conventions.h"
 #include "app/tools/doctor/encoder_wiring.h"
 #include "app/tools/doctor/ruler.h"
+#include "app/tools/doctor/steps.h"
+#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

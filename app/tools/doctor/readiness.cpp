@@ -40,8 +40,8 @@ constexpr std::array steps{
                    "All three motors have moved."},
     ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
                    "Use a USB port on the computer itself, without a hub, and close programs that keep it busy.", ""},
-    ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall",
-                   "In the wall", "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
+    ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall", "In the wall",
+                   "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
     ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed", "Not armed",
                    "Hold the handle and press the button “Arm the motors”.", ""},
 };

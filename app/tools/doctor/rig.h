@@ -18,8 +18,8 @@
 #include <string>
 #include <string_view>
 
-#include "device/falcon/calibration.h"
 #include "app/tools/doctor/bench.h"
+#include "device/falcon/calibration.h"
 #include "device/virtual_falcon/measured_person.h"
 
 namespace ghostforce {

@@ -11,8 +11,8 @@
 #include "app/files/scene_file.h"
 #include "app/tools/figures/curves.h"
 #include "app/tools/figures/sheet.h"
-#include "core/loop_energy.h"
 #include "core/conventions.h"
+#include "core/loop_energy.h"
 
 namespace ghostforce {
 namespace {

@@ -11,8 +11,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/tools/figures/motion_picture.h"
-#include "core/tremor_and_drift.h"
 #include "core/conventions.h"
+#include "core/tremor_and_drift.h"
 
 namespace ghostforce {
 namespace {

@@ -15,8 +15,8 @@
 #include "app/files/scene_file.h"
 #include "app/tools/figures/sheet.h"
 #include "core/belief.h"
-#include "core/simulate.h"
 #include "core/hand_measurement.h"
+#include "core/simulate.h"
 #include "core/tremor_and_drift.h"
 
 namespace ghostforce {

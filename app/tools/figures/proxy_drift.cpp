@@ -5,8 +5,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/tools/figures/sheet.h"
-#include "core/ghost_force.h"
 #include "core/conventions.h"
+#include "core/ghost_force.h"
 
 namespace ghostforce {
 namespace {

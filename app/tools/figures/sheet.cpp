@@ -15,9 +15,9 @@ namespace ghostforce {
 namespace {
 
 // [points]
-constexpr double edge = 14.0;      // of the paper
-constexpr double between = 12.0;   // panes of a row
-constexpr double line_step = 1.3;  // from line to line, in their heights
+constexpr double edge = 14.0;       // of the paper
+constexpr double between = 12.0;    // panes of a row
+constexpr double line_step = 1.3;   // from line to line, in their heights
 constexpr double entry_gap = 16.0;  // between entries of the legend
 
 Pane empty_pane(const Vector<2>& corner, const Vector<2>& size) {

@@ -21,8 +21,8 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::int64_t ticks_between_moments = 5;   // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
-constexpr std::int64_t most_moments = 6000;         // more are finer than any picture
+constexpr std::int64_t ticks_between_moments = 5;  // 200 Hz of a loop at 1 kHz: 16 points of the fastest tremor
+constexpr std::int64_t most_moments = 6000;        // more are finer than any picture
 
 struct Thinned {
   explicit Thinned(std::int64_t last_of_all)

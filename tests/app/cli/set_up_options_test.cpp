@@ -8,8 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/shell_word.h"
-#include "app/state/set_up_of.h"
 #include "app/state/set_up.h"
+#include "app/state/set_up_of.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"

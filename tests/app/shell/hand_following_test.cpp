@@ -9,10 +9,10 @@
 
 #include "app/files/run_reader.h"
 #include "app/runs/replay.h"
-#include "app/state/stiffness_probe_guide.h"
 #include "app/state/lesson_guide.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/state/set_up_of.h"
+#include "app/state/stiffness_probe_guide.h"
+#include "app/state/user_measurement_guide.h"
 #include "core/belief.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"

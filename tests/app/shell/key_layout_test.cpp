@@ -1,5 +1,5 @@
 // Which key is meant, on keyboards of several countries.
-#include "app/shell/keyboard.h"
+#include "app/shell/window.h"
 
 #include <gtest/gtest.h>
 

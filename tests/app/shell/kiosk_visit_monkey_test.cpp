@@ -9,11 +9,11 @@
 
 #include "app/state/key_bindings.h"
 #include "app/state/lesson_guide.h"
-#include "tests/app/shell/monkey.h"
 #include "tests/app/shell/kiosk_visit_window.h"
+#include "tests/app/shell/monkey.h"
 #include "tests/support/places.h"
 
-namespace ghostforce::visit_monkey_test {
+namespace ghostforce::kiosk_visit_monkey_test {
 namespace {
 
 constexpr int frames_of_a_minute = 3600;
@@ -170,4 +170,4 @@ TEST_F(KioskVisitMonkey, FindsNoWayOutWithADevice) {
 }
 
 }  // namespace
-}  // namespace ghostforce::visit_monkey_test
+}  // namespace ghostforce::kiosk_visit_monkey_test

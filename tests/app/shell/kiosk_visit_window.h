@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/state/lesson_file.h"
 #include "app/state/kiosk_visit.h"
+#include "app/state/lesson_file.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/temporary_folder.h"

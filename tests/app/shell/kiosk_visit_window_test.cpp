@@ -12,7 +12,7 @@
 #include "tests/app/shell/kiosk_visit_window.h"
 #include "tests/support/places.h"
 
-namespace ghostforce::visit_window_test {
+namespace ghostforce::kiosk_visit_window_test {
 namespace {
 
 class KioskVisitWindowTest : public KioskVisitWindow {
@@ -292,4 +292,4 @@ TEST_F(KioskVisitWindowTest, WhoMovesTheHandleOfADeviceIsThere) {
 }
 
 }  // namespace
-}  // namespace ghostforce::visit_window_test
+}  // namespace ghostforce::kiosk_visit_window_test

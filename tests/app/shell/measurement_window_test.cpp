@@ -8,8 +8,8 @@
 
 #include <imgui_internal.h>
 
-#include "app/shell/preferences.h"
 #include "app/picture/glossary.h"
+#include "app/shell/preferences.h"
 #include "app/state/user_measurement_guide.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/prediction.h"

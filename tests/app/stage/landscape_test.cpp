@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "app/files/scene_file.h"
+#include "core/conventions.h"
 #include "core/ghost_force.h"
 #include "core/scene.h"
-#include "core/conventions.h"
 #include "tests/app/stage/random_settings.h"
 
 namespace ghostforce::landscape_test {

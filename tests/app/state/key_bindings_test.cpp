@@ -56,7 +56,7 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (binding.key == key::digit_2) session.settings.active = StrategyId::full;
   if (binding.key == key::enter || binding.key == key::number_pad_enter) apply(session, ToggleMode{StageMode::why});
   if (is(key::page_up, 0)) session.stage.demo_step = 3;
-  if (is(key::b, 0) || is(key::n, 0)) apply(session, ShowFace{Face::stage});
+  if (is(key::b, 0) || is(key::a, 0)) apply(session, ShowFace{Face::stage});
   if (is(key::escape, 0)) session.dialog = Dialog::help;
   if (is(key::digit_0, modifier::control)) session.appearance.scale = 1.5;
   if (is(key::r, modifier::alt)) session.settings.stiffnesses.k_r = 900.0;

@@ -7,8 +7,8 @@
 #include "app/state/apply.h"
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
-#include "app/state/lesson_guide.h"
 #include "app/state/lesson_file.h"
+#include "app/state/lesson_guide.h"
 
 namespace ghostforce::kiosk_visit_test {
 namespace {

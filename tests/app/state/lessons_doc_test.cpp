@@ -1,10 +1,10 @@
 // docs/lessons.md names all that a lesson's file may hold, and its examples are lessons.
 #include <gtest/gtest.h>
 
-#include "app/state/lesson_reader.h"
-#include "app/state/lesson_search.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_quantities.h"
+#include "app/state/lesson_reader.h"
+#include "app/state/lesson_search.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
 

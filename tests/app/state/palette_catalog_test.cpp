@@ -15,8 +15,8 @@
 
 #include "app/files/scene_file.h"
 #include "app/state/key_bindings.h"
-#include "app/state/lesson_guide.h"
 #include "app/state/lesson_file.h"
+#include "app/state/lesson_guide.h"
 #include "app/state/stage_action.h"
 
 namespace ghostforce::palette_catalog_test {

@@ -51,15 +51,15 @@ TEST(PaletteSearch, FindsInBothLanguagesWhatPeopleLookFor) {
   };
   using Name = StageLanguage::Actions;
   Session session = session_of(load_scene("wall45"));
-  for (const Case& c : {Case{"en", "emergency", &Name::stop_motors}, Case{"en", "arm", &Name::arm_motors},
-                        Case{"en", "save", &Name::save_scene}, Case{"en", "screenshot", &Name::save_picture},
-                        Case{"en", "video", &Name::save_clip}, Case{"en", "xyzzy", nullptr},
-                        Case{"en", "fault", &Name::device_status}, Case{"en", "reset", &Name::restart},
-                        Case{"en", "fullscreen", &Name::full_screen}, Case{"en", "side by side", &Name::side_by_side},
-                        Case{"en", "full screen", &Name::full_screen}, Case{"en", "dark", &Name::dark_theme},
-                        Case{"es", "motor", &Name::stop_motors}, Case{"es", "guardar", &Name::save_scene},
-                        Case{"es", "video", &Name::save_clip}, Case{"es", "teclas", &Name::help},
-                        Case{"es", "MAS PEQUENO", &Name::smaller_text}}) {
+  for (const Case& c :
+       {Case{"en", "emergency", &Name::stop_motors}, Case{"en", "arm", &Name::arm_motors},
+        Case{"en", "save", &Name::save_scene}, Case{"en", "screenshot", &Name::save_picture},
+        Case{"en", "video", &Name::save_clip}, Case{"en", "xyzzy", nullptr}, Case{"en", "fault", &Name::device_status},
+        Case{"en", "reset", &Name::restart}, Case{"en", "fullscreen", &Name::full_screen},
+        Case{"en", "side by side", &Name::side_by_side}, Case{"en", "full screen", &Name::full_screen},
+        Case{"en", "dark", &Name::dark_theme}, Case{"es", "motor", &Name::stop_motors},
+        Case{"es", "guardar", &Name::save_scene}, Case{"es", "video", &Name::save_clip},
+        Case{"es", "teclas", &Name::help}, Case{"es", "MAS PEQUENO", &Name::smaller_text}}) {
     session.language = c.language;
     const std::vector<PaletteEntry> entries = palette_catalog(session, {});
     const Numbers found = find_in_palette(entries, c.sought);

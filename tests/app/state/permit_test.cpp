@@ -14,10 +14,10 @@
 #include "app/state/apply.h"
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
-#include "app/state/lesson_guide.h"
-#include "app/state/lesson_file.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/state/kiosk_visit.h"
+#include "app/state/lesson_file.h"
+#include "app/state/lesson_guide.h"
+#include "app/state/user_measurement_guide.h"
 
 namespace ghostforce::permit_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "app/shell/preferences.h"
 #include "app/files/png_writer.h"
 #include "app/picture/handles.h"
+#include "app/shell/preferences.h"
 #include "app/stage/hints.h"
 #include "app/state/scene_view.h"
 #include "app/widgets/save_path.h"

@@ -208,30 +208,32 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
 }
 
 TEST_F(StageKeysTest, ANoticeCoversNoButton) {
-  session().notice =
-      Notice{.words = "Saved a picture whose name is rather long: /home/somebody/pictures/of-a-lecture/wall45-naive.png",
-             .is_problem = true};
+  session().notice = Notice{
+      .words = "Saved a picture whose name is rather long: /home/somebody/pictures/of-a-lecture/wall45-naive.png",
+      .is_problem = true};
   frames(3);
   const ImGuiWindow* const notice = ImGui::FindWindowByName("notice");
   ASSERT_NE(notice, nullptr);
-  const ImRect box = notice->Rect();
+  const ImRect rect = notice->Rect();
+  const ScreenBox box{{static_cast<double>(rect.Min.x), static_cast<double>(rect.Min.y)},
+                      {static_cast<double>(rect.Max.x), static_cast<double>(rect.Max.y)}};
   ASSERT_GE(screen().stage().picture().buttons.size(), 10U);
   for (const StageButton& button : screen().stage().picture().buttons) {
-    const bool is_apart = button.box.most.y <= box.Min.y || button.box.least.y >= box.Max.y ||
-                          button.box.most.x <= box.Min.x || button.box.least.x >= box.Max.x;
+    const bool is_apart = button.box.most.y <= box.least.y || button.box.least.y >= box.most.y ||
+                          button.box.most.x <= box.least.x || button.box.least.x >= box.most.x;
     EXPECT_TRUE(is_apart) << button.words << " " << button.box.least.x << " " << button.box.least.y;
   }
 }
 
-TEST_F(StageKeysTest, NHidesTheNumbersAndShowsThemAgain) {
+TEST_F(StageKeysTest, AHidesTheNumbersAndShowsThemAgain) {
   const auto numbers = [&] { return application_->stage_reading().numbers; };
   ASSERT_TRUE(numbers().ghost_force);
   const Image before = picture();
-  press(key::n);
+  press(key::a);
   EXPECT_FALSE(numbers().ghost_force);
   EXPECT_FALSE(numbers().slide);
   EXPECT_NE(picture(), before);
-  press(key::n);
+  press(key::a);
   EXPECT_TRUE(numbers().ghost_force);
 }
 

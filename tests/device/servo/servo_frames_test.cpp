@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "device/input/input.h"
-#include "device/servo/servo_driver.h"
 #include "device/servo/servo.h"
+#include "device/servo/servo_driver.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/device/servo/servo_steps.h"
 

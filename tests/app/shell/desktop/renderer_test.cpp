@@ -1,6 +1,7 @@
 // What draws offscreen: each renderer gives the same bytes, one takes the other's place where it is missing, and where
 // one is asked for that is not there, the program says what to install. All stored pictures by both: snapshots_test.cpp.
 #include "app/shell/desktop/renderer.h"
+#include "app/shell/desktop/offscreen.h"
 
 #include <gtest/gtest.h>
 

@@ -423,9 +423,8 @@ TEST(CheckReport, ShowsFailuresAsFilesForPeopleAndMachines) {
     EXPECT_TRUE(fs::exists(fs::path(report) / percent_decoded((*at)[1].str()))) << (*at)[1];
   }
   EXPECT_EQ(links, 8) << "three pictures, each shown and linked, and two of them in one place";
-  EXPECT_TRUE(contains(html, "type=\"range\""));
   EXPECT_TRUE(contains(html, "a &lt;b&gt; &amp; &quot;c&quot; #1 %41 \xC3\xBC \xEF\xBF\xBD"));
-  EXPECT_TRUE(contains(html, "good"));
+  for (const char* const words : {"type=\"range\"", "good"}) EXPECT_TRUE(contains(html, words));
 
   const std::string junit = read_whole(report + "/junit.xml");
   EXPECT_TRUE(is_well_formed(junit));

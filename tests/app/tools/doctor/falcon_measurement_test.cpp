@@ -9,9 +9,9 @@
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/files/falcon_calibration_file.h"
+#include "app/tools/doctor/encoder_wiring.h"
 #include "core/conventions.h"
 #include "device/falcon/emergency_stop.h"
-#include "app/tools/doctor/encoder_wiring.h"
 #include "tests/app/tools/doctor/measured_rehearsal.h"
 
 namespace ghostforce::falcon_measurement_test {
