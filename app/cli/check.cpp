@@ -153,10 +153,14 @@ void tell_of_leniency(const std::vector<Verdict>& verdicts) {
       count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
 }
 
-// Those that a new golden would mend. Says what is wrong with each that fails.
-std::vector<const Case*> failed_cases(const CheckOptions& options, const std::vector<Case>& cases, Lines& lines) {
+// Those that a new golden would mend, and whether others fail. Says what is wrong with each.
+struct FailedCases {
+  std::vector<const Case*> mendable;
+  bool has_others = false;
+};
+FailedCases failed_cases(const CheckOptions& options, const std::vector<Case>& cases, Lines& lines) {
   const std::vector<const Case*> all = chosen_cases(cases, {}, "--update");
-  std::vector<const Case*> failed;
+  FailedCases failed;
   std::size_t done = 0;
   Progress progress("checking", static_cast<std::int64_t>(all.size()), !lines.is_terminal());
   evaluate_all(cases, all, {.folder = options.folder, .renderer = options.renderer}, [&](const Verdict& verdict) {
@@ -165,7 +169,8 @@ std::vector<const Case*> failed_cases(const CheckOptions& options, const std::ve
       lines.write(fmt::format("FAIL {}  {}{}", quoted_text(verdict.name, longest_path), verdict.reason,
                               verdict.remedy.empty() && !verdict.is_file_trouble ? "; no new golden mends that" : ""));
     }
-    if (!verdict.remedy.empty()) failed.push_back(checked);
+    if (!verdict.remedy.empty()) failed.mendable.push_back(checked);
+    failed.has_others = failed.has_others || (!verdict.passes && verdict.remedy.empty());
     progress.at(static_cast<std::int64_t>(done));
   });
   stop_if_interrupted();
@@ -201,11 +206,11 @@ int update(const CheckOptions& options) {
   Lines lines;
   // CLI11 gives an option without its words one empty word.
   const bool is_named = options.update != std::vector<std::string>{""};
-  const std::vector<const Case*> chosen =
-      is_named ? chosen_cases(cases, options.update, "--update") : failed_cases(options, cases, lines);
+  const FailedCases failed = is_named ? FailedCases{} : failed_cases(options, cases, lines);
+  const std::vector<const Case*> chosen = is_named ? chosen_cases(cases, options.update, "--update") : failed.mendable;
   if (chosen.empty()) {
     lines.write("no case needs a new golden");
-    return static_cast<int>(ExitCode::done);
+    return static_cast<int>(failed.has_others ? ExitCode::answer_is_no : ExitCode::done);
   }
   if (!is_named && !options.asks_nothing && !is_agreed(chosen.size())) {
     lines.write("nothing was stored; --yes stores without a question");

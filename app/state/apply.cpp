@@ -146,6 +146,7 @@ void act(Session& session, const Restart& action) {
   }
   session.goal = session.scene->goal.points.back();
   ++session.restarts_asked;
+  if (session.face == Face::stage) session.fits_view = true;  // the view may have followed the hand elsewhere
 }
 
 // --- Stage ---
@@ -192,6 +193,9 @@ void act(Session& session, const Confirm&) {
 
 void act(Session& session, const ToggleNumbers&) {
   session.stage.hides_numbers = !session.stage.hides_numbers;
+  session.notice.reset();
+  if (!session.stage.hides_numbers) return;
+  session.notice = Notice{std::string(stage_language(session.language).notices.numbers_hidden)};
 }
 
 void act(Session& session, const ToggleBlank&) {

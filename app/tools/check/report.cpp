@@ -56,7 +56,7 @@ constexpr std::array<PictureKind, 3> picture_kinds{{
     {"expected", "expected.png", "expected", &VerdictPictures::expected},
     {"actual", "actual.png", "actual", &VerdictPictures::actual},
     {"difference", "diff.png",
-     "difference: magenta, inside the blue frame; orange where within the tolerance; hatched where masked",
+     "what differs: magenta, inside the blue frame; orange where within the tolerance; hatched where masked",
      &VerdictPictures::difference},
 }};
 

@@ -1,5 +1,6 @@
 #include "app/tools/check/verdict.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
@@ -120,6 +121,8 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
       }
     }
   }
+  const bool has_number = std::ranges::any_of(verdict.numbers, [](const auto& number) { return number.has_value(); });
+  if (has_number && wrong_numbers.empty()) verdict.reason += "; the numbers are as stated";
   // A new golden mends no number.
   if (!wrong_numbers.empty()) {
     verdict.reason = verdict.passes ? wrong_numbers : fmt::format("{}; {}", wrong_numbers, verdict.reason);

@@ -8,6 +8,7 @@
 
 #include <glad/gl.h>
 #include <imgui_internal.h>
+#include <glm/geometric.hpp>
 
 #include "app/state/apply.h"
 #include "app/state/mode_changes.h"
@@ -233,8 +234,20 @@ TEST_F(StageKeysTest, AHidesTheNumbersAndShowsThemAgain) {
   EXPECT_FALSE(numbers().ghost_force);
   EXPECT_FALSE(numbers().slide);
   EXPECT_NE(picture(), before);
+  ASSERT_TRUE(session().notice) << "which key brings them back";
   press(key::a);
   EXPECT_TRUE(numbers().ghost_force);
+  EXPECT_FALSE(session().notice);
+}
+
+TEST_F(StageKeysTest, AResetBringsTheHandBackIntoSight) {
+  const SceneView before = session().stage_shown;
+  session().stage_shown.center += Vector<2>(0.5, 0.5);
+  session().goal += Vector<2>(0.5, 0.5);
+  frames(3);
+  press(key::r, modifier::alt);
+  frames(3);
+  EXPECT_LT(glm::distance(session().stage_shown.center, before.center), 0.01);
 }
 
 TEST_F(StageKeysTest, BHidesThePictureAndEscapeShowsItToo) {
