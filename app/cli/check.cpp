@@ -194,8 +194,9 @@ std::string typed_line() {
   return line;
 }
 
-bool is_agreed(std::size_t count) {
-  say("Look first at what --report shows. {} [y/N] ",
+bool is_agreed(const CheckOptions& options, std::size_t count) {
+  say("Look first at what 'ghostforce check {} --report DIR' shows. {} [y/N] ",
+      quoted_text(options.folder, longest_path),
       count == 1 ? "Store a new golden for this case?" : fmt::format("Store new goldens for these {} cases?", count));
   const std::string line = typed_line();
   return line == "y" || line == "Y" || line == "yes";
@@ -212,7 +213,7 @@ int update(const CheckOptions& options) {
     lines.write("no case needs a new golden");
     return static_cast<int>(failed.has_others ? ExitCode::answer_is_no : ExitCode::done);
   }
-  if (!is_named && !options.asks_nothing && !is_agreed(chosen.size())) {
+  if (!is_named && !options.asks_nothing && !is_agreed(options, chosen.size())) {
     lines.write("nothing was stored; --yes stores without a question");
     return static_cast<int>(ExitCode::answer_is_no);
   }

@@ -323,7 +323,8 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.hovered_grip = pointer_.hovered_grip();
   content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
   content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
-  content.hint = stage_hint(session, content.moment, content.audience);
+  // One thing to do at a time.
+  if (content.warning.empty()) content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;
 }

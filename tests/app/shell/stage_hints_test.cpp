@@ -130,6 +130,15 @@ TEST_F(StageHintsTest, AModeHasWordsOfItsOwn) {
   }
 }
 
+TEST_F(StageHintsTest, ComeAfterWhatTheStageAsksFor) {
+  press(key::space);  // "Press Space to go on."
+  frames(60);
+  expect_only("");
+  press(key::space);
+  frames(60);
+  expect_only(drag_words);
+}
+
 TEST_F(StageHintsTest, EscapeIsEnough) {
   press(key::escape);
   EXPECT_FALSE(session().hint);
