@@ -88,12 +88,15 @@ void draw_dialog(const PanelContext& context) {
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
   // The steps speak of what happens in the scene: it stays out of its way.
+  float top = margin;
   if (entry->is_at_the_side) {
-    ImGui::SetNextWindowPos({whole.x - margin, 54.0F * context.scale}, ImGuiCond_Always, {1.0F, 0.0F});
+    // Below the bar, or the stage's sentence and icons, which grow with the window.
+    top = session.face == Face::stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
+    ImGui::SetNextWindowPos({whole.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
   } else {
     ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
   }
-  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - 2.0F * margin});
+  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - top - margin});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});

@@ -226,6 +226,17 @@ TEST_F(StageKeysTest, ANoticeCoversNoButton) {
   }
 }
 
+TEST_F(StageKeysTest, TheDeviceStatusLeavesSentenceAndIconsInSight) {
+  press(key::f2);
+  frames(3);
+  const ImGuiWindow* const status = ImGui::FindWindowByName("Device status");
+  ASSERT_NE(status, nullptr);
+  for (const StageButton& button : screen().stage().picture().buttons) {
+    const bool is_above = button.box.most.y < 200.0;
+    EXPECT_TRUE(!is_above || button.box.most.y <= static_cast<double>(status->Pos.y)) << button.box.most.y;
+  }
+}
+
 TEST_F(StageKeysTest, AHidesTheNumbersAndShowsThemAgain) {
   const auto numbers = [&] { return application_->stage_reading().numbers; };
   ASSERT_TRUE(numbers().ghost_force);
