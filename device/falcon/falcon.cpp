@@ -420,6 +420,7 @@ void Falcon::set_force(const Vector<3>& force, bool is_armed) noexcept {
 }
 
 bool Falcon::send_command() noexcept {
+  if (is_leaving_) command_ = {};
   // Whoever waits too long for a reply does not go on pushing.
   if (since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_.motors = {};
   const bool begins_to_push = command_.motors != MotorNumbers{} && !may_push_;

@@ -160,6 +160,7 @@ class Falcon {
   FrameReader<ReplyFrame> reader_;
   CommandFrame command_;
   bool is_command_new_ = false;  // not sent yet
+  bool is_leaving_ = false;      // whatever answers tell, no force, light or homing is asked for
   bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
   std::int64_t sent_ns_ = 0;     // the last command

@@ -109,7 +109,7 @@ bool Falcon::recover() noexcept {
 
 // Until three answers have come, one of them to a zero: the device has heard it, and not only the chip before it.
 void Falcon::say_goodbye() noexcept {
-  command_ = {};
+  is_leaving_ = true;
   const std::int64_t deadline_ns = link().now_ns() + static_cast<std::int64_t>(goodbye_s * 1e9);
   const int on_its_way = replies_.is_waiting() ? 1 : 0;  // the answer to what was said before
   int heard = -on_its_way;
@@ -121,11 +121,9 @@ void Falcon::say_goodbye() noexcept {
       send_command();
     }
     link().wait_until(std::min({deadline_ns, stop_ns(), link().now_ns() + 5'000'000}));
-    if (!is_purging_ && take_replies()) {
-      ++heard;
-      command_ = {};
-    }
+    if (!is_purging_ && take_replies()) ++heard;
   }
+  is_leaving_ = false;
   if (!has_heard()) stop_motors();
 }
 

@@ -1,7 +1,6 @@
 #include "device/falcon_usb/ftdi_link.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <utility>
 
 #include <libusb.h>
@@ -11,7 +10,6 @@
 #include "device/falcon/frame.h"
 #include "device/falcon/link_setup.h"
 #include "device/falcon/stop_debts.h"
-#include "device/motor_guard/usb_node.h"
 
 namespace ghostforce {
 namespace {
@@ -27,7 +25,6 @@ constexpr int most_errors_out_in_a_row = 3;
 
 constexpr unsigned send_timeout_ms = 1000;
 constexpr unsigned request_timeout_ms = 300;
-constexpr unsigned last_send_timeout_ms = 20;
 constexpr std::int64_t close_timeout_ns = 200'000'000;
 // In closing, a stop that is under way gets so long; then it is sent anew.
 constexpr std::int64_t stop_timeout_ns = 20'000'000;
@@ -255,11 +252,7 @@ bool FtdiLink::may_send_again() noexcept {
 }
 
 void FtdiLink::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
-  const int descriptor = usb_.descriptor();
-  if (descriptor < 0) return;
-  const int error_before = errno;
-  usb_node::send_once(descriptor, usb_.out_endpoint(), bytes, last_send_timeout_ms);
-  errno = error_before;
+  usb_.send_at_once(bytes);
 }
 
 // --- In --------------------------------------------------------------------------------------------------------------

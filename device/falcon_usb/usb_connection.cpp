@@ -1,6 +1,7 @@
 #include "device/falcon_usb/usb_connection.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <exception>
 #include <optional>
@@ -13,6 +14,7 @@
 #include <sys/stat.h>
 
 #include "device/input/monotonic_clock.h"
+#include "device/motor_guard/usb_node.h"
 
 namespace ghostforce {
 namespace {
@@ -23,7 +25,10 @@ constexpr std::size_t transfer_unit = 512;  // a transfer from the device is a m
 constexpr int claim_attempts = 10;
 constexpr std::int64_t claim_pause_ns = 10'000'000;
 
-constexpr unsigned attempt_ms = 10;  // of send()
+constexpr unsigned attempt_ms = 10;    // of send()
+constexpr unsigned last_send_ms = 20;  // of send_at_once()
+// Closing waits no longer for that: a process that is ending may have lost the thread that sends.
+constexpr std::int64_t last_send_patience_ns = 100'000'000;
 
 void pause(std::int64_t ns) noexcept {
   sleep_until_monotonic(monotonic_ns() + ns);
@@ -205,9 +210,21 @@ LinkFault UsbConnection::send(std::span<const std::uint8_t> bytes) noexcept {
   return link_fault_of(error);
 }
 
+void UsbConnection::send_at_once(std::span<const std::uint8_t> bytes) noexcept {
+  const int error_before = errno;
+  is_sending_at_once_ = true;
+  if (const int descriptor = descriptor_; descriptor >= 0)
+    usb_node::send_once(descriptor, out_endpoint_, bytes, last_send_ms);
+  is_sending_at_once_ = false;
+  errno = error_before;
+}
+
+// The number of a file that is closed may be another file's at once: not while somebody sends by it.
 void UsbConnection::release_device() noexcept {
   if (handle_ == nullptr) return;
   descriptor_ = -1;
+  const std::int64_t deadline_ns = monotonic_ns() + last_send_patience_ns;
+  while (is_sending_at_once_ && monotonic_ns() < deadline_ns) pause(100'000);
   libusb_release_interface(handle_, interface_number);
   libusb_close(std::exchange(handle_, nullptr));
 }

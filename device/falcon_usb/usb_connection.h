@@ -1,6 +1,6 @@
 // UsbConnection: a USB device that was found, opened and claimed through libusb: its handle, its two bulk endpoints and
 // the file behind them. Everything that waits for the system or for the device is here. It may wait for seconds, and it
-// allocates: never on the servo's thread. One thread at a time; emergency code may read descriptor() on any.
+// allocates: never on the servo's thread. One thread at a time, but for send_at_once().
 #pragma once
 
 #include <atomic>
@@ -46,6 +46,10 @@ class UsbConnection {
   // attempt may succeed.
   LinkFault send(std::span<const std::uint8_t> bytes) noexcept;
 
+  // That without libusb, on any thread and in a signal's handler, one at a time: tries once, for 20 ms. Nothing happens
+  // while no device is open.
+  void send_at_once(std::span<const std::uint8_t> bytes) noexcept;
+
   // Null while it is not open.
   libusb_context* context() const noexcept { return context_; }
   libusb_device_handle* handle() const noexcept { return handle_; }
@@ -58,7 +62,7 @@ class UsbConnection {
   // Of the device that is open or was.
   std::string_view serial() const noexcept { return serial_; }
   // The file behind the handle; -1: not open, or not known.
-  int descriptor() const noexcept { return descriptor_.load(std::memory_order_relaxed); }
+  int descriptor() const noexcept { return descriptor_; }
 
  private:
   LinkFault find_and_take(const UsbId& id, const std::string& serial, const StopDebts& owed);
@@ -74,6 +78,9 @@ class UsbConnection {
   std::size_t packet_size_ = 0;
   std::string serial_;
   std::atomic<int> descriptor_{-1};
+  std::atomic<bool> is_sending_at_once_{false};
+  static_assert(std::atomic<int>::is_always_lock_free && std::atomic<bool>::is_always_lock_free,
+                "a signal handler may touch nothing else");
 };
 
 // What libusb's error means for a link.

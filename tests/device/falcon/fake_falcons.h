@@ -47,6 +47,7 @@ struct FakeFalcon {
   VendorRequest rate = ftdi::handshake_rate;
   unsigned latency_ms = 16;
   std::array<std::int16_t, 3> motors{};
+  std::uint8_t asked = 0;          // by the newest command: lights, and whether it is to be homed
   std::int64_t last_force_ns = 0;  // when a command ended a force
   int times_opened = 0;
   int noise_bytes = 0;       // that came at another rate
@@ -225,6 +226,7 @@ class FakeFalcons final : public FalconLink {
       if (!command) continue;
       if (falcon_->pushes()) falcon_->last_force_ns = now_ns_;
       falcon_->motors = command->motors;
+      falcon_->asked = command->info;
       // What the chip has for the host goes out when its latency timer says so.
       const std::int64_t latency_ns = std::int64_t{falcon_->latency_ms} * 1'000'000;
       const std::int64_t due_ns =

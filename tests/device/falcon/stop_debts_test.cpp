@@ -276,6 +276,23 @@ TEST_F(OwedStops, ADeviceThatHearsNoGoodbyeIsOwedAStopWhateverItStillAnswers) {
   }
 }
 
+// One that was opened a moment ago is believed to be homed while it is let go.
+TEST_F(OwedStops, ADeviceThatIsLetGoIsAskedForNothingWhateverItsAnswersTell) {
+  b.is_plugged = false;
+  for (int before = 0; before < 40; ++before) {
+    SCOPED_TRACE(before);
+    a = FakeFalcon("12PZ657E");
+    driver = driver_with({});
+    for (int i = 0; i < before; ++i) {
+      now_ns += ms / 4;
+      driver->update();
+      driver->wait_until(now_ns);
+    }
+    driver->shut_down();
+    EXPECT_EQ(a.asked, 0);
+  }
+}
+
 // As a program ends: the servo first, then what it had.
 TEST_F(OwedStops, AtTheEndOfTheProgramTheOwedOneIsStoppedIfItIsThere) {
   b.is_plugged = false;
