@@ -139,8 +139,14 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   scene_corner_ = {0.0F, 0.0F};
   scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y)};
-  const StageFrame stage_frame{
-      moment, history, context.loop, context.theme, measure_, scene_size_, static_cast<double>(context.scale)};
+  const StageFrame stage_frame{.shown = moment,
+                               .history = history,
+                               .loop = context.loop,
+                               .theme = context.theme,
+                               .measure = measure_,
+                               .size = scene_size_,
+                               .scale = static_cast<double>(context.scale),
+                               .has_controls = frame.is_live || frame.part == Part::window};
   if (!frame.is_live) {
     panes_ = {stage_.still(context.session, stage_frame).pane};
     return;
@@ -165,7 +171,16 @@ std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMome
   if (session.face == Face::workbench) {
     return workbench_.panes_for_file(session, moment, history, loop, measure, scale);
   }
-  return {stage_.still(session, {moment, history, loop, *session.appearance.theme, measure, scene_size_, scale}).pane};
+  return {stage_
+              .still(session, {.shown = moment,
+                               .history = history,
+                               .loop = loop,
+                               .theme = *session.appearance.theme,
+                               .measure = measure,
+                               .size = scene_size_,
+                               .scale = scale,
+                               .has_controls = false})
+              .pane};
 }
 
 }  // namespace ghostforce

@@ -13,8 +13,8 @@ constexpr double least_width = 39.7;   // of a picture in which every word finds
 constexpr double least_height = 22.1;  // as the numbers below add up
 constexpr double ems_in_height = 30.0;
 constexpr double buttons_share = 0.16;  // of the height
-constexpr double icons_share = 0.085;
-constexpr double icons_width_share = 0.42;  // of the height, too
+constexpr double header_share = 0.085;
+constexpr double header_width_share = 0.56;  // of the height, too
 constexpr double margin = 1.2;
 constexpr double breath = 0.15;
 constexpr NumberRange column_width{13.0, 20.0};
@@ -41,14 +41,14 @@ LandscapeLayout landscape_layout(const Vector<2>& size, double unit) noexcept {
   layout.ring_radius = 0.6 * em;
   layout.knob_radius = 0.7 * em;
   const double bottom = (1.0 - buttons_share) * height - breath * em;
-  const double below_icons = icons_share * height + breath * em;
+  const double below_header = header_share * height + breath * em;
 
   const double column_right = (margin + column_width.nearest_to(column_share * width / em)) * em;
-  const bool is_under_icons = column_right > width - icons_width_share * height;
-  layout.column = {{margin * em, is_under_icons ? below_icons : 0.9 * em}, {column_right, bottom}};
+  const bool is_under_header = column_right > width - header_width_share * height;
+  layout.column = {{margin * em, is_under_header ? below_header : 0.9 * em}, {column_right, bottom}};
 
-  layout.axis_title_top = below_icons;
-  layout.map.least = {column_right + left_of_map * em, below_icons + (line_height + beside_map) * em};
+  layout.axis_title_top = below_header;
+  layout.map.least = {column_right + left_of_map * em, below_header + (line_height + beside_map) * em};
   layout.map.most.x = width - right_of_map * em;
   const double lines_below = layout.map.extent().x < one_line_title * em ? 3.0 : 2.0;  // numbers and title
   layout.map.most.y = bottom - (lines_below * line_height + beside_map + 0.1) * em;

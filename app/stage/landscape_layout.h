@@ -1,7 +1,7 @@
 // Where the landscape's map, its dial and its words lie in a picture: what is drawn and what the pointer takes hold of
 // come from here. Screen points, y down. Pure, any thread; finite for any size.
 //
-// The lower 0.16 of the height stays free, for the stage's buttons, and the upper right corner, for its icons.
+// The lower 0.16 of the height stays free, for the stage's buttons, and so does the upper right corner.
 #pragma once
 
 #include <cstdint>

@@ -61,8 +61,9 @@ class LessonArrangement {
                                                     : 0.0;
     made.corner = {{right - corner_width, top}, {right, top + points(leave_side)}};
     made.language = has_language ? std::optional(made.corner) : std::nullopt;
-    layout_.icons.clear();
-    if (lesson_.has_way_out) layout_.icons.push_back({StageCommand::leave, made.corner, {}});
+    layout_.header.clear();
+    layout_.menu.clear();
+    if (lesson_.has_way_out) layout_.header.push_back({StageCommand::leave, made.corner, {}});
     const TextStyle& words = layout_.letters.words;
     const double most = most_of_width * layout_.size.x;
     made.title = broken_into_lines(lesson_.title, most, title, measure_);

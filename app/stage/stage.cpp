@@ -51,7 +51,8 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .corner_action = content.corner ? content.corner->action : StageCommand::keys,
                        .has_full = !content.moment.is_measured,
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
-                       .lesson = content.lesson ? &*content.lesson : nullptr});
+                       .lesson = content.lesson ? &*content.lesson : nullptr,
+                       .shows_menu = content.shows_menu});
 }
 
 void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
@@ -129,9 +130,10 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (has_old_guess) add_guess(layer);
     if (!content.is_bare) {
       if (!is_map || content.lesson) add_sentence(layer);
-      add_buttons(layer);
+      if (content.has_controls || content.lesson) add_buttons(layer);
     }
     canvas.add_labels();
+    if (!content.is_bare && (content.has_controls || content.lesson)) add_overlays(layer);
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
   picture.scene = layout.scene();
@@ -142,13 +144,14 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (content.may_turn_wall) picture.wall_grips = grips.wall;
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
-  for (const auto* const buttons : {&layout.strategies, &layout.icons}) {
+  for (const auto* const buttons : {&layout.menu, &layout.strategies, &layout.header}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   for (const auto* const button : {&layout.measuring, &layout.corner}) {
     if (*button) picture.buttons.push_back(**button);
   }
   picture.buttons.insert(picture.buttons.end(), layout.links.begin(), layout.links.end());
+  if (!layout.menu.empty()) picture.menu = layout.menu_box;
   if (layout.lesson) {
     const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);
     picture.buttons.insert(picture.buttons.begin(), buttons.begin(), buttons.end());

@@ -33,6 +33,7 @@ struct StagePicture {
   std::optional<std::array<Vector<2>, 2>> wall_grips{};   // empty: it cannot be turned
   std::optional<LandscapeLayout> landscape{};             // empty: there is no map
   std::optional<RibbonPlace> ribbon{};
+  std::optional<ScreenBox> menu{};  // while it is open
 };
 
 // The same moment for those who do not look at it: what the stage says, and its numbers. Empty are also those that the

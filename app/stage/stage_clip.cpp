@@ -24,7 +24,8 @@ Pane StageClip::next(const ClipMoment& moment, double interval_s) {
                        .reference_force = look_.reference_force,
                        .size = look_.size,
                        .scale = look_.scale,
-                       .audience = {.can_drag = false, .heads_for = settings.active}};
+                       .audience = {.can_drag = false, .heads_for = settings.active},
+                       .has_controls = false};
   if (look_.target) content.moment = with_target(content.moment, wall_of(settings), *look_.target);
   return compose_stage(content, memory_, interval_s).pane;
 }

@@ -77,8 +77,10 @@ struct StageContent {
   std::optional<StageCornerButton> corner{};
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
-  std::string warning{};  // what must be said instead of the sentence; may be empty
-  bool is_bare = false;   // the scene alone: no sentence, no large numbers, no buttons round it
+  std::string warning{};     // what must be said instead of the sentence; may be empty
+  bool is_bare = false;      // the scene alone: no sentence, no large numbers, no buttons round it
+  bool has_controls = true;  // else the buttons, too, are left out: nobody can press them in a picture
+  bool shows_menu = false;
 };
 
 // What a frame of the stage is made from. It refers to what others hold for as long as the frame lasts.
@@ -91,6 +93,7 @@ struct StageFrame {
   Vector<2> size;        // of the window [points]
   double scale;          // UI scale
   bool is_bare = false;  // see StageContent
+  bool has_controls = true;
 };
 
 }  // namespace ghostforce

@@ -280,7 +280,8 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(session, frame.loop),
-      .is_bare = frame.is_bare};
+      .is_bare = frame.is_bare,
+      .has_controls = frame.has_controls};
   if (session.lesson) {
     content.lesson = lesson_content(session);
     content.hides = lesson_secrets(session);
@@ -321,6 +322,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
+  content.shows_menu = pointer_.shows_menu();
   content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
   content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
   // One thing to do at a time.

@@ -1,8 +1,7 @@
-// The frame round the stage's scene: the sentence and the two numbers above, the buttons below, the strip of icons.
+// The frame round the stage's scene: the sentence and the two numbers above, the buttons, the menu.
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include <fmt/format.h>
@@ -55,122 +54,44 @@ void add_corner_button(const StageLayer& layer, const StageButton& button, bool 
               is_on ? theme.background : theme.text, false);
 }
 
-// What the icons show, in a square of 2 × 2 round the middle, y down.
-struct IconPen {
-  StageCanvas& canvas;
-  Vector<2> middle;
-  double reach;
-  Colour colour;
-
-  Vector<2> at(double x, double y) const { return middle + reach * Vector<2>(x, y); }
-  void curve(const std::vector<Vector<2>>& corners) const {
-    std::vector<Vector<2>> placed;
-    for (const Vector<2>& corner : corners) placed.push_back(at(corner.x, corner.y));
-    canvas.curve(Role::button, placed, canvas.width(2.5), colour);
-  }
-  void arc(const Vector<2>& center, double radius, double from_turn, double to_turn) const {
-    constexpr int pieces = 14;
-    std::vector<Vector<2>> corners;
-    for (int i = 0; i <= pieces; ++i) {
-      const double angle = 2.0 * std::numbers::pi * (from_turn + (to_turn - from_turn) * i / pieces);
-      corners.push_back(center + radius * Vector<2>(std::cos(angle), std::sin(angle)));
-    }
-    curve(corners);
-  }
-};
-
-struct Icon {
-  StageAction action;
-  void (*draw)(const IconPen&);
-};
-
-const std::array<Icon, 9>& icons() {
-  static const std::array<Icon, 9> all{{
-      // A target to aim at.
-      {StageMode::predict,
-       [](const IconPen& pen) {
-         pen.canvas.ring(Role::button, pen.middle, 0.8 * pen.reach, pen.canvas.width(2.5), pen.colour);
-         pen.arc({0.0, 0.0}, 0.2, 0.0, 1.0);
-       }},
-      // The triangle of forces.
-      {StageMode::why,
-       [](const IconPen& pen) {
-         pen.curve({{0.8, 0.7}, {-0.8, -0.8}, {-0.8, 0.7}, {0.8, 0.7}});
-       }},
-      // Contour lines.
-      {StageMode::landscape,
-       [](const IconPen& pen) {
-         pen.arc({0.1, 0.1}, 0.85, 0.0, 1.0);
-         pen.arc({0.25, -0.05}, 0.42, 0.0, 1.0);
-       }},
-      // A round way with its direction.
-      {StageMode::round,
-       [](const IconPen& pen) {
-         pen.arc({0.0, 0.0}, 0.75, 0.0, 0.85);
-         pen.curve({{0.2, -0.95}, {0.5, -0.58}, {0.1, -0.3}});
-       }},
-      // A line over time with a cursor.
-      {StageMode::ribbon,
-       [](const IconPen& pen) {
-         pen.curve({{-0.9, 0.4}, {-0.5, 0.4}, {-0.2, -0.3}, {0.2, 0.1}, {0.9, 0.1}});
-         pen.curve({{0.2, -0.8}, {0.2, 0.8}});
-       }},
-      // A spring between two plates.
-      {StageMode::measure,
-       [](const IconPen& pen) {
-         pen.curve({{-0.6, -0.85}, {0.6, -0.85}});
-         pen.curve({{-0.6, 0.85}, {0.6, 0.85}});
-         pen.curve({{0.0, -0.85}, {0.5, -0.6}, {-0.5, -0.2}, {0.5, 0.2}, {-0.5, 0.6}, {0.0, 0.85}});
-       }},
-      // An open book.
-      {StageCommand::lessons,
-       [](const IconPen& pen) {
-         pen.curve({{0.0, -0.45}, {-0.45, -0.65}, {-0.95, -0.6}, {-0.95, 0.6}, {-0.45, 0.55}, {0.0, 0.75}});
-         pen.curve({{0.0, -0.45}, {0.45, -0.65}, {0.95, -0.6}, {0.95, 0.6}, {0.45, 0.55}, {0.0, 0.75}});
-         pen.curve({{0.0, -0.45}, {0.0, 0.75}});
-       }},
-      {StageCommand::leave,
-       [](const IconPen& pen) {
-         pen.curve({{-0.6, -0.6}, {0.6, 0.6}});
-         pen.curve({{-0.6, 0.6}, {0.6, -0.6}});
-       }},
-      // Sliders.
-      {Face::workbench,
-       [](const IconPen& pen) {
-         for (const double y : {-0.55, 0.0, 0.55}) pen.curve({{-0.85, y}, {0.85, y}});
-         for (const Vector<2>& knob : {Vector<2>(-0.3, -0.55), Vector<2>(0.4, 0.0), Vector<2>(-0.1, 0.55)}) {
-           pen.arc(knob, 0.14, 0.0, 1.0);
-         }
-       }},
-  }};
-  return all;
-}
-
-void add_icon(const StageLayer& layer, const StageButton& button) {
+// Without words it is the way out of a lesson.
+void add_header_button(const StageLayer& layer, const StageButton& button) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
-  const bool is_on = button.action == StageAction(content.mode);
-  const bool is_hot = is_hovered(content, button.action);
+  const auto mode = std::ranges::find(stage_mode_catalog(), content.mode, &StageModeEntry::id);
+  const bool is_in_menu = mode != stage_mode_catalog().end() && mode->is_in_menu;
+  const bool is_menu = button.action == StageAction(StageCommand::menu);
+  const bool is_on = button.action == StageAction(content.mode) || (is_menu && (is_in_menu || content.shows_menu));
+  const bool is_hot = is_on || is_hovered(content, button.action);
   canvas.box(Role::button, button.box, canvas.points(10.0), is_on ? theme.panel_field : theme.background,
-             is_on || is_hot ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
+             is_hot ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
+  const Colour colour = is_hot ? theme.accent : theme.faint_text;
   const Vector<2> middle = 0.5 * (button.box.least + button.box.most);
-  const double reach = 0.34 * (button.box.most.x - button.box.least.x);
-  const auto icon = std::ranges::find(icons(), button.action, &Icon::action);
-  if (icon != icons().end()) icon->draw({canvas, middle, reach, is_on || is_hot ? theme.accent : theme.faint_text});
+  if (button.words.empty()) {
+    const double reach = 0.2 * button.box.extent().x;
+    for (const double y : {-reach, reach}) {
+      canvas.curve(Role::button, {middle - Vector<2>(reach, y), middle + Vector<2>(reach, y)}, canvas.width(2.5),
+                   colour);
+    }
+    return;
+  }
+  const Vector<2> extent = content.measure(button.words, layout.letters.words);
+  canvas.text(Role::button, middle - 0.5 * extent, button.words, layout.letters.words, colour, false);
 }
 
-// Below the strip, to the right.
+// Below the buttons, to the right.
 struct HoverPanel {
   std::vector<std::string> lines;
   ScreenBox box;
 };
 
 constexpr double hover_padding = 10.0;
+constexpr double menu_padding = 18.0;
 
 std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  // Who has pressed an icon has read what it does.
-  const bool is_on = content.hovered == StageAction(content.mode);
+  // Who has pressed a button has read what it does, and the menu tells of its rows itself.
+  const bool is_on = content.hovered == StageAction(content.mode) || !layout.menu.empty();
   const StageLanguage::Hovers& all = content.language.hovers;
   const std::string words = is_on             ? ""
                             : content.hovered ? hover_words(*content.hovered, content.language, content.keys)
@@ -182,24 +103,63 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
   const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
   const double padding = canvas.points(hover_padding);
-  const ScreenBox& strip = layout.strip();
-  const double left = strip.most.x - extent.x - 2.0 * padding;
+  const ScreenBox& above = layout.header_end();
+  const double left = above.most.x - extent.x - 2.0 * padding;
   const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;
-  const double below = layout.lesson ? std::max(strip.most.y, layout.lesson->title_box.most.y) : strip.most.y;
+  const double below = layout.lesson ? std::max(above.most.y, layout.lesson->title_box.most.y) : above.most.y;
   const double top = is_beside_sentence ? below : std::max(below, layout.sentence_box.most.y);
   const Vector<2> corner = Vector<2>(left, top + canvas.points(8.0)) + Vector<2>(padding);
   panel.box = ScreenBox{corner, corner + extent}.grown(padding);
   return panel;
 }
 
+// Words are painted over all boxes. Those below this one go, so that nothing else has to move.
+void take_words_away(const StageLayer& layer, const ScreenBox& box) {
+  const auto& [content, layout, canvas] = layer;
+  std::erase_if(canvas.marks, [&](const Mark& mark) {
+    const auto* const label = std::get_if<Label>(&mark.form);
+    if (label == nullptr) return false;
+    const Vector<2> corner = to_screen(canvas.camera, label->anchor) + label->offset;
+    return overlap(box, ScreenBox{corner, corner + content.measure(label->text, label->style)}) > 0.0;
+  });
+}
+
 void add_hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto panel = hover_panel(layer);
   if (!panel) return;
+  take_words_away(layer, panel->box);
   canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
              canvas.width(1.5));
   canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,
               content.theme.text, false);
+}
+
+void add_menu(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const Theme& theme = content.theme;
+  const TextStyle& style = layout.letters.words;
+  const double padding = canvas.points(menu_padding);
+  take_words_away(layer, layout.menu_box);
+  canvas.box(Role::button, layout.menu_box, canvas.points(10.0), theme.panel, theme.panel_border, canvas.width(2.0));
+  const std::vector<StageMenuRow> rows = stage_menu(content.language, content.keys);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const StageMenuRow& row = rows[i];
+    const ScreenBox& box = layout.menu[i].box;
+    const bool is_hot = is_hovered(content, row.action);
+    if (is_hot) canvas.box(Role::button, box, canvas.points(8.0), theme.panel_field, theme.panel_field, 0.0);
+    const bool is_on = row.action == StageAction(content.mode);
+    const double top = 0.5 * (box.least.y + box.most.y - style.height);
+    canvas.text(Role::button, {box.least.x + padding, top}, std::string(row.title), style,
+                is_on || is_hot ? theme.accent : theme.text, false);
+    const std::string key(row.key);
+    canvas.text(Role::button, {box.most.x - padding - content.measure(key, style).x, top}, key, style, theme.faint_text,
+                false);
+    if (!is_hot) continue;
+    const double width = layout.menu_box.extent().x - 2.0 * padding;
+    canvas.text(Role::button, {box.least.x + padding, layout.menu.back().box.most.y},
+                broken_into_lines(row.about, width, style, content.measure), style, theme.faint_text, false);
+  }
 }
 
 // Above the button that it speaks of.
@@ -296,7 +256,7 @@ void add_numbers(const StageLayer& layer) {
 void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
-  for (const StageButton& button : layout.icons) add_icon(layer, button);
+  for (const StageButton& button : layout.header) add_header_button(layer, button);
   if (content.lesson) add_lesson_frame(layer);
   if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
   if (layout.corner) add_corner_button(layer, *layout.corner, content.corner->is_alarming);
@@ -304,8 +264,13 @@ void add_buttons(const StageLayer& layer) {
     canvas.text(Role::button, link.box.least, link.words, layout.letters.words,
                 is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
   }
-  add_hover_panel(layer);
   add_cure_hint(layer);
+}
+
+// What lies over everything else.
+void add_overlays(const StageLayer& layer) {
+  add_hover_panel(layer);
+  if (!layer.layout.menu.empty()) add_menu(layer);
 }
 
 void keep_frame_clear(const StageLayer& layer) {
@@ -316,14 +281,13 @@ void keep_frame_clear(const StageLayer& layer) {
   labels.keep_clear(ScreenBox{layout.sentence_box.least - aside, layout.sentence_box.most + aside});
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
-  for (const StageButton& button : layout.icons) labels.keep_clear(button.box.grown(rim));
+  for (const StageButton& button : layout.header) labels.keep_clear(button.box.grown(rim));
   for (const auto* const button : {&layout.measuring, &layout.corner}) {
     if (*button) labels.keep_clear((*button)->box.grown(rim));
   }
   for (const StageButton& link : layout.links) labels.keep_clear(link.box.grown(rim));
   if (layout.lesson) keep_lesson_clear(layer);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
-  if (const auto panel = hover_panel(layer)) labels.keep_clear(panel->box.grown(rim));
 }
 
 }  // namespace ghostforce

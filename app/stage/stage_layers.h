@@ -38,7 +38,8 @@ void add_guess(const StageLayer& layer);  // of where the handle comes to rest, 
 void add_plate(const StageLayer& layer, const ScreenBox& words);
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
-void add_buttons(const StageLayer& layer);       // below, and the strip of icons
+void add_buttons(const StageLayer& layer);       // above at the right, and below
+void add_overlays(const StageLayer& layer);      // over all: the menu, and what is said of what is under the pointer
 void add_lesson_frame(const StageLayer& layer);  // title, answers, slider, back and next
 void keep_frame_clear(const StageLayer& layer);  // of labels: sentence, buttons and what is said of them
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -21,8 +22,12 @@ constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
-constexpr double icon_side = 40.0;
-constexpr double icon_gap = 5.0;
+constexpr double header_height = 40.0;
+constexpr double header_gap = 6.0;
+constexpr double header_padding = 11.0;
+constexpr double menu_row_height = 40.0;
+constexpr double menu_lines = 3.0;     // below the rows, of what is said of one of them
+constexpr double menu_key_gap = 30.0;  // between the longest words and the widest key
 constexpr double gap = 14.0;
 constexpr double button_padding = 18.0;
 
@@ -61,7 +66,7 @@ class Arrangement {
     if (words_.lesson != nullptr) {
       buttons_fit = arrange_lesson(*words_.lesson, words_, measure_, layout_);
     } else {
-      arrange_icons();
+      arrange_header();
       buttons_fit = arrange_buttons(in_full);
     }
     arrange_numbers();
@@ -97,7 +102,7 @@ class Arrangement {
       layout_.words_end = std::max(layout_.words_end, layout_.sentence_box.least.y +
                                                           static_cast<double>(most) * layout_.letters.sentence.height);
     }
-    layout_.top = std::max(layout_.sentence_box.most.y, layout_.strip().most.y);
+    layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
     layout_.bottom = layout_.lesson      ? layout_.lesson->top
                      : layout_.measuring ? layout_.measuring->box.least.y
@@ -115,21 +120,47 @@ class Arrangement {
     return broken_into_lines(words, end - layout_.margin - indented_by, layout_.letters.sentence, measure_);
   }
 
-  void arrange_icons() {
-    layout_.icons.clear();
-    const Vector<2> side(points(icon_side));
-    const double step = side.x + points(icon_gap);
-    const std::size_t count = stage_mode_catalog().size() + 2;
-    Vector<2> corner(layout_.size.x - layout_.margin - static_cast<double>(count) * step + points(icon_gap),
-                     layout_.margin - points(10.0));
-    const auto add = [&](const StageAction& action) {
-      layout_.icons.push_back({action, {corner, corner + side}, {}});
-      corner.x += step;
+  // From the right to the left.
+  void arrange_header() {
+    layout_.header.clear();
+    double right = layout_.size.x - layout_.margin;
+    const double top = layout_.margin - points(10.0);
+    const auto add = [&](const StageAction& action, std::string_view words) {
+      const double width = measure_(words, layout_.letters.words).x + points(2.0 * header_padding);
+      layout_.header.push_back(
+          {action, {{right - width, top}, {right, top + points(header_height)}}, std::string(words)});
+      right -= width + points(header_gap);
     };
-    for (const StageModeEntry& mode : stage_mode_catalog()) add(mode.id);
-    add(StageCommand::lessons);
-    add(Face::workbench);
-    layout_.header_left = layout_.icons.front().box.least.x;
+    add(StageCommand::menu, words_.language.header.more);
+    add(StageCommand::lessons, words_.language.header.lessons);
+    for (const StageModeEntry& mode : stage_mode_catalog() | std::views::reverse) {
+      if (!mode.is_in_menu) add(mode.id, (words_.language.modes.*mode.words).title);
+    }
+    std::ranges::reverse(layout_.header);
+    layout_.header_left = layout_.header.front().box.least.x;
+    layout_.menu.clear();
+    if (words_.shows_menu) arrange_menu();
+  }
+
+  void arrange_menu() {
+    double words = 0.0;
+    double keys = 0.0;
+    const std::vector<StageMenuRow> rows = stage_menu(words_.language, words_.keys);
+    for (const StageMenuRow& row : rows) {
+      words = std::max(words, measure_(row.title, layout_.letters.words).x);
+      keys = std::max(keys, measure_(row.key, layout_.letters.words).x);
+    }
+    const double width = words + keys + points(menu_key_gap + 2.0 * button_padding);
+    const ScreenBox& button = layout_.header.back().box;
+    double top = button.most.y + points(header_gap);
+    layout_.menu_box = {{button.most.x - width, top}, {button.most.x, top}};
+    for (const StageMenuRow& row : rows) {
+      const double bottom = top + points(menu_row_height);
+      layout_.menu.push_back(
+          {row.action, {{layout_.menu_box.least.x, top}, {button.most.x, bottom}}, std::string(row.title)});
+      top = bottom;
+    }
+    layout_.menu_box.most.y = top + points(gap) + menu_lines * layout_.letters.words.height;
   }
 
   bool arrange_buttons(bool in_full) {
@@ -260,10 +291,23 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
     const StageLanguage::Mode& words = language.modes.*entry->words;
     return fmt::format("{} ({}): {}", words.title, entry->key, words.about);
   }
-  if (std::holds_alternative<Face>(action)) return std::string(language.hovers.workbench);
   if (action == StageAction(StageCommand::lessons)) return filled(language.hovers.lessons, keys.lessons);
+  if (action == StageAction(StageCommand::menu)) return std::string(language.hovers.more);
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
+}
+
+std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys) {
+  std::vector<StageMenuRow> rows;
+  for (const StageModeEntry& mode : stage_mode_catalog()) {
+    const StageLanguage::Mode& words = language.modes.*mode.words;
+    if (mode.is_in_menu) rows.push_back({mode.id, words.title, mode.key, words.about});
+  }
+  const StageLanguage::MenuRows& all = language.menu_rows;
+  rows.push_back({Face::workbench, all.workbench.title, "F4", all.workbench.about});
+  rows.push_back({StageCommand::palette, all.actions.title, "Ctrl+P", all.actions.about});
+  rows.push_back({StageCommand::keys, all.keys.title, keys.help, all.keys.about});
+  return rows;
 }
 
 }  // namespace ghostforce

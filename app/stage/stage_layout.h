@@ -3,6 +3,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "app/picture/camera.h"
 #include "app/picture/text.h"
@@ -25,5 +27,14 @@ Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom
 
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);
+
+// The menu: modes that have no button of their own, and the ways to everything else.
+struct StageMenuRow {
+  StageAction action;
+  std::string_view title;
+  std::string_view key;  // as printed on it
+  std::string_view about;
+};
+std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys);
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// StageLayout: where words, numbers, buttons and icons of the stage stand, those of a lesson too; and StageMeasuring,
+// StageLayout: where words, numbers, buttons and the menu of the stage stand, those of a lesson too; and StageMeasuring,
 // what the stage shows of measuring the hand. Values, read only; points of the window, y down; any thread.
 #pragma once
 
@@ -84,15 +84,17 @@ struct StageLayout {
   double words_end = 0.0;                // of the longest text that may stand there: the numbers below keep their place
   std::optional<ScreenBox> mark;         // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;   // the row below
-  std::vector<StageButton> icons;        // the strip above, modes and workbench
+  std::vector<StageButton> header;       // above at the right; of a lesson the way out at most, without words
+  std::vector<StageButton> menu;         // below the last of these, while it is open; its rows
+  ScreenBox menu_box;                    // round them
   std::optional<StageButton> corner;     // at the row's other end
   std::optional<StageButton> measuring;  // above it, or in a lesson's row
   std::vector<StageButton> links;        // or there, as words, where there is room: lessons and keys
   std::optional<ScreenBox> ribbon;       // above the row, where there is one
-  std::optional<LessonLayout> lesson;    // of which the strip of icons keeps the way out at most
-  double header_left = 0.0;              // where what stands above at the right begins
-  Vector<2> numbers_size{0.0};           // of the two numbers with their words
-  double number_width = 0.0;             // of the widest number
+  std::optional<LessonLayout> lesson;
+  double header_left = 0.0;     // where what stands above at the right begins
+  Vector<2> numbers_size{0.0};  // of the two numbers with their words
+  double number_width = 0.0;    // of the widest number
 
   // Between them lies the scene.
   double top = 0.0;
@@ -100,7 +102,7 @@ struct StageLayout {
   ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
 
   // The end of what stands above at the right.
-  const ScreenBox& strip() const noexcept { return lesson ? lesson->corner : icons.back().box; }
+  const ScreenBox& header_end() const noexcept { return lesson ? lesson->corner : header.back().box; }
 
   // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
@@ -117,6 +119,7 @@ struct StageFrameWords {
   bool has_full = true;                             // the strategy with every motor can be chosen
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
+  bool shows_menu = false;
 };
 
 // How wide the button of a strategy is, with its key and the strategy's shape before the words [points]. Pure.

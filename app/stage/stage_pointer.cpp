@@ -18,10 +18,6 @@ namespace {
 
 constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
 
-void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
-  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
-}
-
 // With the focus, arrows are the slider's.
 void nudge_by_key(const ActionSink& apply) {
   for (const Nudge& nudge : take_nudges()) {
@@ -142,13 +138,14 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   const Scene scene{picture};
   has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
   if (session.drags_goal) apply(LetGoOfHand{});
+  if (session.lesson || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) shows_menu_ = false;
 
   if (!is_held) {
     hold_ = Hold::nothing;
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
     if (is_hovered) hovered_ = button_at(picture, pointer);
-    const Hold hold = is_hovered && !hovered_ ? hold_at(session, scene, pointer) : Hold::nothing;
+    const Hold hold = is_hovered && !hovered_ && !shows_menu_ ? hold_at(session, scene, pointer) : Hold::nothing;
     if (may_hold(session, hold)) {
       if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
       if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
@@ -168,6 +165,11 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   press_by_key(apply, frame, picture, corner);
 }
 
+void StagePointer::press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
+  shows_menu_ = button == StageAction(StageCommand::menu) && !shows_menu_;
+  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
+}
+
 void StagePointer::begin(const Session& session, const ActionSink& apply, const StageFrame& frame, const Scene& scene,
                          const Vector<2>& pointer) {
   last_ = pointer;
@@ -181,6 +183,9 @@ void StagePointer::begin(const Session& session, const ActionSink& apply, const 
     hovered_ = button;
     if (button == StageAction(StageCommand::slider)) hold_ = Hold::slider;
     press(*button, apply, frame.loop.motors);
+  } else if (shows_menu_) {
+    // Whoever wants to be rid of it does not mean to move the hand.
+    shows_menu_ = scene.picture.menu && contains(*scene.picture.menu, pointer);
   } else {
     hold_ = hold_at(session, scene, pointer);
     if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);

@@ -7,12 +7,12 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array modes{
-    StageModeEntry{StageMode::predict, "predict", "Q", &StageLanguage::Modes::predict},
-    StageModeEntry{StageMode::why, "why", "Y", &StageLanguage::Modes::why},
-    StageModeEntry{StageMode::landscape, "landscape", "L", &StageLanguage::Modes::landscape},
-    StageModeEntry{StageMode::round, "round", "O", &StageLanguage::Modes::round},
-    StageModeEntry{StageMode::ribbon, "ribbon", "H", &StageLanguage::Modes::ribbon},
-    StageModeEntry{StageMode::measure, "measure", "S", &StageLanguage::Modes::measure},
+    StageModeEntry{StageMode::predict, "predict", "Q", false, &StageLanguage::Modes::predict},
+    StageModeEntry{StageMode::why, "why", "Y", false, &StageLanguage::Modes::why},
+    StageModeEntry{StageMode::landscape, "landscape", "L", true, &StageLanguage::Modes::landscape},
+    StageModeEntry{StageMode::round, "round", "O", true, &StageLanguage::Modes::round},
+    StageModeEntry{StageMode::ribbon, "ribbon", "H", true, &StageLanguage::Modes::ribbon},
+    StageModeEntry{StageMode::measure, "measure", "S", true, &StageLanguage::Modes::measure},
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What the window can show: its two faces, and the modes of the stage, which are further things to do there, each on
-// one key. The one list of either that the keys, the strip of icons, the command line, files and the tests walk.
+// one key. The one list of either that the keys, the stage's buttons, the command line, files and the tests walk.
 // Immutable, any thread.
 #pragma once
 
@@ -40,6 +40,7 @@ struct StageModeEntry {
   StageMode id;
   std::string_view name;  // in files and on the command line
   std::string_view key;   // as printed on it
+  bool is_in_menu;        // else it has a button of its own on the stage
   StageLanguage::Mode StageLanguage::Modes::*words;
 };
 // Without `none`.

@@ -28,6 +28,8 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
   switch (command) {
     case StageCommand::keys:
       return OpenDialog{Dialog::help};
+    case StageCommand::palette:
+      return OpenDialog{Dialog::palette};
     case StageCommand::link:
       return ShowLink{};
     case StageCommand::motors:
@@ -44,6 +46,7 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return NextLanguage{};
     case StageCommand::measure:
       return PressMeasuringButton{};
+    case StageCommand::menu:
     case StageCommand::slider:
       return std::nullopt;
   }

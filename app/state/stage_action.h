@@ -15,11 +15,14 @@
 
 namespace ghostforce {
 
-// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, a link to what
-// is shown, the motors on or off, the picker of lessons; the step before, the next step of the mode or the lesson that
-// is on; the end of the lesson; its next language; to move its slider; to measure the hand, or use what was measured.
+// Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the list of all
+// actions, the menu of what else there is to do, a link to what is shown, the motors on or off, the picker of lessons;
+// the step before, the next step of the mode or the lesson that is on; the end of the lesson; its next language; to
+// move its slider; to measure the hand, or use what was measured.
 enum class StageCommand : std::uint8_t {
   keys,
+  palette,
+  menu,
   link,
   motors,
   lessons,
@@ -44,7 +47,8 @@ struct StageKeys {
   std::string_view link{};  // to what is shown; empty: there is no such thing here
 };
 
-// What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged.
+// What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged, or it
+// is the menu's button, which is the stage's own.
 std::optional<Action> action_of_button(const StageAction& button, const MotorReport& motors);
 
 // The one button of the motors: reads why they are off, arms them, turns them off, or says what is missing. What it

@@ -209,7 +209,8 @@ std::vector<Pane> compose_moment(const PictureRequest& request, const Moment& mo
                                  .measure = measure,
                                  .size = size,
                                  .scale = request.appearance.scale,
-                                 .is_bare = request.is_bare})
+                                 .is_bare = request.is_bare,
+                                 .has_controls = request.part == Part::window})
                 .pane};
   }
   return compose_panes({.settings = shown_moment(request.scene, request.scene.settings, moment).settings,

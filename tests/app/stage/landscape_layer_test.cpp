@@ -97,7 +97,7 @@ bool cover_each_other(const ScreenBox& a, const ScreenBox& b) {
 
 void expect_readable(const Picture& picture, const std::string& where) {
   const Vector<2> size = picture.size;
-  const ScreenBox icons{{size.x - 0.42 * size.y, 0.0}, {size.x, 0.085 * size.y}};
+  const ScreenBox header{{size.x - 0.56 * size.y, 0.0}, {size.x, 0.085 * size.y}};
   const ScreenBox buttons{{0.0, 0.84 * size.y}, size};
   std::vector<ScreenBox> marks = picture.discs(Role::handle);
   ASSERT_EQ(marks.size(), 2U) << "the ring and what sets it off";
@@ -109,7 +109,7 @@ void expect_readable(const Picture& picture, const std::string& where) {
     EXPECT_TRUE(label.box.least.x >= 0.0 && label.box.least.y >= 0.0 && label.box.most.x <= size.x)
         << where << ": '" << label.text << "' is cut off";
     EXPECT_FALSE(cover_each_other(label.box, buttons)) << where << ": '" << label.text << "' is where the buttons are";
-    EXPECT_FALSE(cover_each_other(label.box, icons)) << where << ": '" << label.text << "' is where the icons are";
+    EXPECT_FALSE(cover_each_other(label.box, header)) << where << ": '" << label.text << "' is where the header is";
     for (const ScreenBox& mark : marks) {
       EXPECT_FALSE(cover_each_other(label.box, mark)) << where << ": '" << label.text << "' covers ring or knob";
     }
