@@ -1,7 +1,6 @@
 // ghostforce check: screenshot regression. Draws a folder of cases and compares each with the picture stored beside it.
 // Or, of lessons: says whether they can be read and done.
 #include <algorithm>
-#include <cerrno>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -16,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
+#include "app/base/input_line.h"
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
 #include "app/base/quoted.h"
@@ -177,29 +177,14 @@ FailedCases failed_cases(const CheckOptions& options, const std::vector<Case>& c
   return failed;
 }
 
-// The first line of the standard input; empty where there is none.
-std::string typed_line() {
-  std::string line;
-  for (char letter = 0; letter != '\n' && line.size() < 100;) {
-    wait_to_read(STDIN_FILENO);
-    const ssize_t count = read(STDIN_FILENO, &letter, 1);
-    stop_if_interrupted();
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (count <= 0) {
-      say("\n");
-      break;
-    }
-    if (letter != '\n') line += letter;
-  }
-  return line;
-}
-
 bool is_agreed(const CheckOptions& options, std::size_t count) {
   say("Look first at what 'ghostforce check {} --report DIR' shows. {} [y/N] ",
       quoted_text(options.folder, longest_path),
       count == 1 ? "Store a new golden for this case?" : fmt::format("Store new goldens for these {} cases?", count));
-  const std::string line = typed_line();
-  return line == "y" || line == "Y" || line == "yes";
+  const InputLine line = read_line(STDIN_FILENO);
+  if (!line.is_whole) say("\n");
+  // Also where the newline is missing: a script may leave it out.
+  return line.text == "y" || line.text == "Y" || line.text == "yes";
 }
 
 int update(const CheckOptions& options) {

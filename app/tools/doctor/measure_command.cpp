@@ -1,8 +1,6 @@
 #include "app/tools/doctor/measure_command.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <ctime>
 #include <filesystem>
 #include <memory>
@@ -12,7 +10,7 @@
 #include <unistd.h>
 
 #include "app/base/failure.h"
-#include "app/base/interruption.h"
+#include "app/base/input_line.h"
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/files/falcon_calibration_file.h"
@@ -181,32 +179,14 @@ std::optional<std::string> TerminalOperator::ask(const OperatorAction& action, s
     tell("(Rehearsal: the simulated hand does it.)");
   }
   say("> ");
-  std::optional<std::string> line = read_line();
-  if (line && line->empty()) line = answer;
-  return line;
+  // What somebody has begun to type and never sent is no answer: motors may follow it.
+  const InputLine line = read_line(STDIN_FILENO);
+  if (!line.is_whole) return std::nullopt;
+  return line.text.empty() ? answer : line.text;
 }
 
 void TerminalOperator::cue(const OperatorAction& action) {
   if (simulated_ != nullptr) simulated_->act(action);
-}
-
-std::optional<std::string> TerminalOperator::read_line() {
-  for (;;) {
-    if (const std::size_t end = typed_.find('\n'); end != std::string::npos) {
-      std::string line = typed_.substr(0, end);
-      typed_.erase(0, end + 1);
-      return line;
-    }
-    wait_to_read(STDIN_FILENO);
-    std::array<char, 4096> piece;
-    const ssize_t count = read(STDIN_FILENO, piece.data(), piece.size());
-    stop_if_interrupted();
-    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
-    if (count <= 0) return std::nullopt;
-    typed_.append(piece.data(), static_cast<std::size_t>(count));
-    constexpr std::size_t longest_answer = 65536;
-    if (typed_.size() > longest_answer) return std::nullopt;
-  }
 }
 
 }  // namespace ghostforce

@@ -37,10 +37,7 @@ class TerminalOperator final : public Operator {
   void cue(const OperatorAction& action) override;
 
  private:
-  std::optional<std::string> read_line();
-
   MeasuredPerson* simulated_;
-  std::string typed_;  // beyond the last line
 };
 
 }  // namespace ghostforce

@@ -66,6 +66,8 @@ TEST_F(MeasureCommand, OverwritesNoCalibrationUnasked) {
   EXPECT_EQ(read_whole(calibration), "mine\n");
   EXPECT_EQ(measure(skips, fmt::format("--calibration '{}'", calibration)).exit_code, 1);
   EXPECT_EQ(read_whole(calibration), "mine\n") << "no answer is no";
+  EXPECT_EQ(measure(skips + "y", fmt::format("--calibration '{}'", calibration)).exit_code, 1);
+  EXPECT_EQ(read_whole(calibration), "mine\n") << "half an answer is none";
   EXPECT_EQ(measure(skips + "y\n", fmt::format("--calibration '{}'", calibration)).exit_code, 1);
   EXPECT_NE(read_whole(calibration).find("serial = \"VIRTUAL1\""), std::string::npos);
 }

@@ -62,6 +62,12 @@ TEST_F(CheckUpdateAll, StoresThoseThatFailAndNoOther) {
   EXPECT_TRUE(contains(again.out, "no case needs a new golden"));
 }
 
+TEST_F(CheckUpdateAll, AgreementNeedsNoNewline) {
+  const std::string before = golden();
+  EXPECT_EQ(update_with(cases_, "y").exit_code, 0);
+  EXPECT_NE(golden(), before);
+}
+
 TEST_F(CheckUpdateAll, AsksNothingWhereTheAnswerIsGiven) {
   const Outcome outcome = update_with(cases_, "n\\n", "--yes");
   EXPECT_EQ(outcome.exit_code, 0);
