@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -153,6 +154,22 @@ void tell_of_leniency(const std::vector<Verdict>& verdicts) {
       count, count == 1 ? "was" : "were", 100.0 * graphics_card_tolerance.share, graphics_card_tolerance.channel);
 }
 
+// Hands on each verdict with its case, in the order of `chosen`, and tells on a terminal how far it is. Throws what
+// evaluate_all() does; and Failure: interrupted.
+void evaluate_with_progress(const std::vector<Case>& cases, const std::vector<const Case*>& chosen,
+                            const Evaluation& how, const Lines& lines,
+                            const std::function<void(const Case&, Verdict)>& take) {
+  {
+    std::size_t done = 0;
+    Progress progress("checking", static_cast<std::int64_t>(chosen.size()), !lines.is_terminal());
+    evaluate_all(cases, chosen, how, [&](Verdict verdict) {
+      take(*chosen[done++], std::move(verdict));
+      progress.at(static_cast<std::int64_t>(done));
+    });
+  }
+  stop_if_interrupted();
+}
+
 // Those that a new golden would mend, and whether others fail. Says what is wrong with each.
 struct FailedCases {
   std::vector<const Case*> mendable;
@@ -161,19 +178,15 @@ struct FailedCases {
 FailedCases failed_cases(const CheckOptions& options, const std::vector<Case>& cases, Lines& lines) {
   const std::vector<const Case*> all = chosen_cases(cases, {}, "--update");
   FailedCases failed;
-  std::size_t done = 0;
-  Progress progress("checking", static_cast<std::int64_t>(all.size()), !lines.is_terminal());
-  evaluate_all(cases, all, {.folder = options.folder, .renderer = options.renderer}, [&](const Verdict& verdict) {
-    const Case* const checked = all[done++];
+  const auto sort_in = [&](const Case& checked, const Verdict& verdict) {
     if (!verdict.passes) {
       lines.write(fmt::format("FAIL {}  {}{}", quoted_text(verdict.name, longest_path), verdict.reason,
                               verdict.remedy.empty() && !verdict.is_file_trouble ? "; no new golden mends that" : ""));
     }
-    if (!verdict.remedy.empty()) failed.mendable.push_back(checked);
+    if (!verdict.remedy.empty()) failed.mendable.push_back(&checked);
     failed.has_others = failed.has_others || (!verdict.passes && verdict.remedy.empty());
-    progress.at(static_cast<std::int64_t>(done));
-  });
-  stop_if_interrupted();
+  };
+  evaluate_with_progress(cases, all, {.folder = options.folder, .renderer = options.renderer}, lines, sort_in);
   return failed;
 }
 
@@ -219,21 +232,16 @@ int check(const CheckOptions& options) {
     if (!options.json) lines.write(line);
   };
   const std::size_t count = report.cases.size();
-  {
-    Progress progress("checking", static_cast<std::int64_t>(count), !lines.is_terminal());
-    const Evaluation evaluation{.folder = options.folder,
-                                .wants_pictures = to_folder.has_value(),
-                                .jobs = options.jobs,
-                                .renderer = options.renderer};
-    evaluate_all(cases, report.cases, evaluation, [&](Verdict verdict) {
-      if (to_folder) to_folder->take_pictures(verdict);
-      const std::string name = quoted_text(verdict.name, longest_path);
-      write_line(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
-      report.verdicts.push_back(std::move(verdict));
-      progress.at(static_cast<std::int64_t>(report.verdicts.size()));
-    });
-  }
-  stop_if_interrupted();
+  const Evaluation evaluation{.folder = options.folder,
+                              .wants_pictures = to_folder.has_value(),
+                              .jobs = options.jobs,
+                              .renderer = options.renderer};
+  evaluate_with_progress(cases, report.cases, evaluation, lines, [&](const Case&, Verdict verdict) {
+    if (to_folder) to_folder->take_pictures(verdict);
+    const std::string name = quoted_text(verdict.name, longest_path);
+    write_line(verdict.passes ? fmt::format("pass {}", name) : fmt::format("FAIL {}  {}", name, verdict.reason));
+    report.verdicts.push_back(std::move(verdict));
+  });
   if (to_folder) to_folder->write(report);
   write_line(fmt::format("{} {}, {} failed", count, count == 1 ? "case" : "cases", report.failed()));
   if (options.json) lines.write(report_as_json(report));
