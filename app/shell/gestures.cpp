@@ -45,7 +45,7 @@ void Gestures::take(const Session& session, const ActionSink& apply, const std::
                     const Vector<2>& size, double unit, const ShownMoment& moment) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("scene", {static_cast<float>(size.x), static_cast<float>(size.y)},
+  ImGui::InvisibleButton("scene", imgui_vector(size),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   if (session.drags_goal) apply(LetGoOfHand{});
   if (panes.empty()) return;

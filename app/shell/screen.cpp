@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "app/paint/label_painter.h"
+#include "app/picture/screen_box.h"
 #include "app/shell/window.h"
 #include "app/widgets/focus.h"
+#include "app/widgets/pointing.h"
 #include "app/widgets/style.h"
 #include "app/widgets/tooltips.h"
 #include "app/workbench/dialogs.h"
@@ -120,16 +122,11 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     drawing_->painter.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   }
   if (!frame.is_live) return;
-  const ImVec2 size{static_cast<float>(scene_size_.x), static_cast<float>(scene_size_.y)};
-  draw_shader_problem(context, scene_corner_, size);
-  if (is_on_stage) {
-    // Between its rows of buttons, so that it covers none of them.
-    const ScreenBox& free = stage_.picture().scene;
-    draw_notice(context, {static_cast<float>(free.least.x), static_cast<float>(free.least.y)},
-                {static_cast<float>(free.extent().x), static_cast<float>(free.extent().y)});
-  } else {
-    draw_notice(context, scene_corner_, size);
-  }
+  const Vector<2> corner = vector_of(scene_corner_);
+  const ScreenBox scene{corner, corner + scene_size_};
+  draw_shader_problem(context, scene);
+  // On the stage between its rows of buttons, so that it covers none of them.
+  draw_notice(context, is_on_stage ? stage_.picture().scene : scene);
   draw_dialog(context);
   draw_focus_ring(theme, styled_scale_);
 }

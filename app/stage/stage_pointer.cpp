@@ -129,7 +129,7 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
                           const StagePicture& picture) {
   ImGui::SetCursorPos({0.0F, 0.0F});
   const ImVec2 corner = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("stage", {static_cast<float>(frame.size.x), static_cast<float>(frame.size.y)},
+  ImGui::InvisibleButton("stage", imgui_vector(frame.size),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   const bool is_held = ImGui::IsItemActive();
@@ -202,11 +202,10 @@ void StagePointer::press_by_key(const ActionSink& apply, const StageFrame& frame
     if (std::ranges::find(picture.buttons, button.action, &StageButton::action) != each) continue;
     const Vector<2> least = vector_of(corner) + button.box.least;
     const Vector<2> size = glm::max(button.box.extent(), Vector<2>(1.0));
-    ImGui::SetCursorScreenPos({static_cast<float>(least.x), static_cast<float>(least.y)});
+    ImGui::SetCursorScreenPos(imgui_vector(least));
     ImGui::PushID(static_cast<int>(button.action.index()));
     ImGui::PushID(std::visit([](auto action) { return static_cast<int>(action); }, button.action));
-    if (ImGui::InvisibleButton("button", {static_cast<float>(size.x), static_cast<float>(size.y)},
-                               ImGuiButtonFlags_EnableNav)) {
+    if (ImGui::InvisibleButton("button", imgui_vector(size), ImGuiButtonFlags_EnableNav)) {
       press(button.action, apply, frame.loop.motors);
     }
     if (button.action == StageAction(StageCommand::slider)) nudge_by_key(apply);

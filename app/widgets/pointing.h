@@ -10,8 +10,12 @@
 
 namespace ghostforce {
 
+// From Dear ImGui and back.
 inline Vector<2> vector_of(ImVec2 point) noexcept {
   return {static_cast<double>(point.x), static_cast<double>(point.y)};
+}
+inline ImVec2 imgui_vector(const Vector<2>& vector) noexcept {
+  return {static_cast<float>(vector.x), static_cast<float>(vector.y)};
 }
 
 // Above 1: closer.

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/widgets/controls.h"
+#include "app/widgets/pointing.h"
 
 namespace ghostforce {
 namespace {
@@ -110,9 +111,11 @@ void draw_dialog(const PanelContext& context) {
   if (!is_open) context.apply(CloseDialog{});
 }
 
-void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
+void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   const Session& session = context.session;
   if (!session.notice) return;
+  const ImVec2 corner = imgui_vector(scene.least);
+  const ImVec2 size = imgui_vector(scene.extent());
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
   // To the right: the legend is on the left.
@@ -144,9 +147,11 @@ void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size) {
 }
 
 // What an author of shaders needs to see: what the driver said, and which line it meant.
-void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size) {
+void draw_shader_problem(const PanelContext& context, const ScreenBox& scene) {
   const std::string_view problem = context.loop.shader_problem;
   if (problem.empty()) return;
+  const ImVec2 corner = imgui_vector(scene.least);
+  const ImVec2 size = imgui_vector(scene.extent());
   const float margin = 14.0F * context.scale;
   ImGui::SetNextWindowPos({corner.x + margin, corner.y + 0.45F * size.y});
   ImGui::SetNextWindowSize({size.x - 2.0F * margin, 0.55F * size.y - margin});

@@ -2,6 +2,7 @@
 // fields, and in the end leaves a request in the session.
 #pragma once
 
+#include "app/picture/screen_box.h"
 #include "app/widgets/panel_context.h"
 
 namespace ghostforce {
@@ -22,11 +23,11 @@ struct ScrollStep {
 };
 void scroll(Dialog dialog, const ScrollStep& step);
 
-// What there is to tell, if anything, at the top of the scene, whose rectangle this is.
-void draw_notice(const PanelContext& context, ImVec2 corner, ImVec2 size);
+// What there is to tell, if anything, at the top of the scene.
+void draw_notice(const PanelContext& context, const ScreenBox& scene);
 
 // Why the shaders in the watched folder are not in use, if they are not: the driver's log and the numbered source.
-void draw_shader_problem(const PanelContext& context, ImVec2 corner, ImVec2 size);
+void draw_shader_problem(const PanelContext& context, const ScreenBox& scene);
 
 // The dialogs themselves: a file each, and one for all that save.
 void draw_help(const PanelContext& context);
