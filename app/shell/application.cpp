@@ -237,7 +237,10 @@ void Application::update(double interval_s) {
   if (shader_watch_ && shader_watch_->poll(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice && !session_.notice->is_problem) {
     session_.notice->age_s += interval_s;
-    if (session_.notice->age_s > news_last_s) session_.notice.reset();
+    if (session_.notice->age_s > news_last_s) {
+      session_.notice.reset();
+      screen_.keep_place_of_notice();
+    }
   }
   clip_saving_.poll(session_);
   if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)

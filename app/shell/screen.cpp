@@ -54,10 +54,12 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
 }
 
 void Screen::advance(const Session& session, double interval_s) noexcept {
+  notice_place_s_ = std::max(0.0, notice_place_s_ - interval_s);
   if (session.face == Face::stage) stage_.advance(interval_s);
 }
 
 bool Screen::is_moving(const Session& session) const noexcept {
+  if (keeps_notice_place_ && notice_place_s_ == 0.0) return true;
   return Keyboard::is_waiting(window_) || (session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving());
 }
 
@@ -127,6 +129,8 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   draw_shader_problem(context, scene);
   // On the stage between its rows of buttons, so that it covers none of them.
   draw_notice(context, is_on_stage ? stage_.picture().scene : scene);
+  keeps_notice_place_ = !session.notice && notice_place_s_ > 0.0;
+  if (keeps_notice_place_) block_place_of_notice();
   draw_dialog(context);
   draw_focus_ring(theme, styled_scale_);
 }

@@ -40,6 +40,9 @@ class Screen {
   // The next frame would show something else, though nothing that draw() is given has changed.
   bool is_moving(const Session& session) const noexcept;
 
+  // News has just gone by itself. A press that comes a moment later was meant for its button, and does nothing.
+  void keep_place_of_notice() noexcept { notice_place_s_ = 1.0; }
+
   // In the window's new OpenGL context; the one before has gone with all that was in it.
   void restart_drawing();
 
@@ -96,6 +99,8 @@ class Screen {
   StageFace stage_;
   Appearance styled_appearance_{.theme = nullptr};
   float styled_scale_ = 0.0F;
+  double notice_place_s_ = 0.0;      // for so long the place of a notice that has gone is kept
+  bool keeps_notice_place_ = false;  // in the last frame
   std::vector<Pane> panes_;
   ImVec2 scene_corner_{0.0F, 0.0F};
   Vector<2> scene_size_{1.0};

@@ -36,6 +36,8 @@ constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWind
                                            ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                                            ImGuiWindowFlags_AlwaysAutoResize;
 
+constexpr const char* notice_window = "notice";
+
 // Of what speaks the stage's language; the others are called as their entry says.
 std::string_view title_in(const StageLanguage& language, Dialog dialog) {
   if (dialog == Dialog::lessons) return language.picker.title;
@@ -131,7 +133,7 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   ImGui::PushStyleColor(ImGuiCol_Border,
                         unpacked(session.notice->is_problem ? context.theme.problem : context.theme.accent));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, unpacked(context.theme.panel_field));
-  ImGui::Begin("notice", nullptr,
+  ImGui::Begin(notice_window, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
@@ -144,6 +146,17 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);
   if (enough) context.apply(CloseNotice{});
+}
+
+void block_place_of_notice() {
+  const ImGuiWindow* const notice = ImGui::FindWindowByName(notice_window);
+  if (notice == nullptr) return;
+  ImGui::SetNextWindowPos(notice->Pos);
+  ImGui::SetNextWindowSize(notice->Size);
+  ImGui::Begin(notice_window, nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
+  ImGui::End();
 }
 
 // What an author of shaders needs to see: what the driver said, and which line it meant.
