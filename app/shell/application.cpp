@@ -25,6 +25,7 @@ namespace {
 
 constexpr double news_last_s = 6.0;  // problems stay until they are dismissed
 constexpr double dial_words_last_s = 4.0;
+constexpr double own_wish_stands_s = 1.0;
 
 // Model time in the status bar, ticks a second and ticks that came late change all the time: they can wait.
 constexpr double counts_last_s = 2.0;
@@ -219,6 +220,7 @@ void Application::update(double interval_s) {
   }
   see_target();
   link_->poll();
+  follow_own_wish(interval_s);
   late_ticks_.note(report_.loop.late_ticks, link_->is_opening(), interval_s);
   if (const std::string problem = clipboard_tool_.poll(); !problem.empty()) show_notice(problem, true);
   // Nobody stops the time of a real hand.
@@ -418,6 +420,17 @@ void Application::show_notice(std::string words, bool is_problem) {
   if (has_failed_ && session_.notice) words = fmt::format("{}\n{}", session_.notice->words, words);
   has_failed_ = has_failed_ || is_problem;
   session_.notice = Notice{std::move(words), has_failed_, 0.0};
+}
+
+// Whoever has turned the motors off by themselves has nothing to read, and may arm them again. Not at once, though: a
+// second press on their button, in haste, must not.
+void Application::follow_own_wish(double interval_s) {
+  const MotorReport& motors = report_.motors;
+  const bool is_off = motors.state == SafetyState::off && !motors.may_still_push;
+  off_by_person_s_ = is_off && motors.reason == OffReason::key ? off_by_person_s_ + interval_s : 0.0;
+  if (off_by_person_s_ <= own_wish_stands_s) return;
+  ++session_.acknowledgements;
+  off_by_person_s_ = 0.0;
 }
 
 // --- What guides the person through a lesson, or waits for a visitor, once a frame ---

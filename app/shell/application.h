@@ -147,6 +147,7 @@ class Application {
   bool has_changed() const;
   void send();
   void heartbeat();
+  void follow_own_wish(double interval_s);
   void copy_motor_requests();
   // What a person at the window does.
   void hear(const Action& action);
@@ -224,9 +225,10 @@ class Application {
   ServoReport report_;
   Screen screen_;
   std::optional<ShaderWatch> shader_watch_;
-  double clock_s_ = 0.0;        // sum of the intervals
-  double interval_s_ = 0.0;     // the newest
-  double since_drawn_s_ = 0.0;  // all that has passed since a frame was drawn
+  double clock_s_ = 0.0;          // sum of the intervals
+  double interval_s_ = 0.0;       // the newest
+  double since_drawn_s_ = 0.0;    // all that has passed since a frame was drawn
+  double off_by_person_s_ = 0.0;  // for so long the motors have been off because the person wanted it
   std::optional<VisibleState> drawn_;
   double drawn_at_s_ = 0.0;   // by that clock
   int frames_to_settle_ = 0;  // that follow a change

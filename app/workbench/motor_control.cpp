@@ -58,8 +58,8 @@ void draw_motor_button(const PanelContext& context, float height) {
   // With motors it is there, in smaller letters where there is little room.
   const float width = fits ? wanted : std::max(room, least_width * usual);
   ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
-  const bool stands_out =
-      is_on || (motors.has_motors && motors.reason != OffReason::none) || motors.state == SafetyState::arming;
+  const bool has_to_be_read = motors.reason != OffReason::none && motors.reason != OffReason::key;
+  const bool stands_out = is_on || (motors.has_motors && has_to_be_read) || motors.state == SafetyState::arming;
   const Colour fill = is_on ? theme.problem : theme.panel_field;
   const Colour rim = is_on ? theme.problem : stands_out ? theme.accent : theme.panel_border;
   const std::optional<Action> action = action_of_motor_button(motors);

@@ -160,6 +160,30 @@ TEST_F(RehearsalWindow, TheMotorButtonFirstWantsTheReasonRead) {
   EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
 }
 
+TEST_F(RehearsalWindow, WhoTurnsThemOffHasNothingToDismiss) {
+  turn_on();
+  press(key::escape);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  ASSERT_EQ(motors().reason, OffReason::key);
+  EXPECT_EQ(motor_words(motors(), english_stage), "Motors off");
+  EXPECT_EQ(motor_words(motors(), spanish_stage), "Motores parados");
+  EXPECT_FALSE(std::holds_alternative<ArmMotors>(action_of_motor_button(motors()).value())) << "pressed in haste";
+  frames(80, 20);
+  EXPECT_EQ(motors().reason, OffReason::none);
+  EXPECT_EQ(motors().state, SafetyState::off) << "nothing arms by itself";
+  EXPECT_TRUE(std::holds_alternative<ArmMotors>(action_of_motor_button(motors()).value()));
+}
+
+TEST_F(RehearsalWindow, WhatWentWrongStaysUntilItIsRead) {
+  turn_on();
+  ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_FALSE);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  frames(80, 20);
+  EXPECT_EQ(motors().reason, OffReason::focus_lost);
+  EXPECT_NE(motor_words(motors(), english_stage).find("Dismiss"), std::string::npos);
+  ImGui_ImplGlfw_WindowFocusCallback(window_->handle(), GLFW_TRUE);
+}
+
 TEST_F(RehearsalWindow, EscapeTurnsOffAlsoBehindAMenuAndWhileTyping) {
   turn_on();
   press(key::s, modifier::control);
