@@ -134,7 +134,7 @@ StageNumbers stage_numbers(const StageMoment& moment) noexcept {
     numbers.wall_share = glm::length(moment.wall_share);
     numbers.ghost_force = signed_ghost_force(moment);
   }
-  if (!moment.is_measured || moment.has_target) numbers.slide = glm::length(moment.slide);
+  if (moment.knows_slide()) numbers.slide = glm::length(moment.slide);
   return numbers;
 }
 

@@ -18,13 +18,15 @@ namespace {
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 constexpr double mJ_per_J = 1000.0;
 
-double ghost_force_size(const LessonReading& now) noexcept {
-  return now.moment.knows_ghost_force ? glm::length(now.moment.ghost_force) : not_known;
-}
-
 // Nobody knows where a measured hand wants to be, unless it was told.
 bool knows_goal(const StageMoment& moment) noexcept {
   return !moment.is_measured || moment.has_target;
+}
+
+// No task is done by a handle that touches nothing.
+double ghost_force_size(const LessonReading& now) noexcept {
+  const bool is_known = knows_goal(now.moment) && now.moment.knows_ghost_force;
+  return is_known ? glm::length(now.moment.ghost_force) : not_known;
 }
 
 constexpr std::array quantities{

@@ -32,7 +32,9 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   moment.proxy = now.proxy;
   moment.in_contact = now.in_contact;
   moment.is_measured = snapshot.measured.has_value();
-  moment.knows_ghost_force = !moment.is_measured || (snapshot.has_target && !std::isnan(now.ghost_force.x));
+  // Without contact there is none.
+  moment.knows_ghost_force =
+      !moment.is_measured || !moment.in_contact || (snapshot.has_target && !std::isnan(now.ghost_force.x));
   if (moment.knows_ghost_force) moment.ghost_force = now.ghost_force;
   // In free space the sampled loop has a force of its own, which is no wall's.
   if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;

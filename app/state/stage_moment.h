@@ -24,8 +24,10 @@ struct StageMoment {
   bool in_contact = false;          // the wall acts
   bool is_measured = false;         // the handle is a device's, and the goal inferred
   bool has_target = false;          // that hand was told where to press: its slide is known all the same
-  bool knows_ghost_force = true;    // of a measured handle only with a target; else ghost_force is 0
+  bool knows_ghost_force = true;    // of a measured handle in the wall only with a target; else ghost_force is 0
 
+  // Without contact nothing slides, whoever holds the handle.
+  bool knows_slide() const noexcept { return !is_measured || has_target || !in_contact; }
   bool is_between() const noexcept { return std::ranges::max(weights) < 1.0; }
 };
 

@@ -201,6 +201,20 @@ TEST(StageSentenceInEnglish, OfADeviceSaysWhatCannotBeKnown) {
   EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "Push the handle"));
 }
 
+// The handle of a device touches nothing: then nobody has to guess what its hand wants.
+TEST(StageNumbers, OfADeviceAreKnownOutsideTheWall) {
+  Settings settings = load_scene("wall45").settings;
+  settings.active = StrategyId::naive;
+  Snapshot snapshot;
+  snapshot.measured = StrategyId::naive;
+  const auto numbers = [&] { return stage_numbers(stage_moment(settings, snapshot, snapshot.goal)); };
+  EXPECT_EQ(numbers().ghost_force, 0.0);
+  EXPECT_EQ(numbers().slide, 0.0);
+  snapshot.strategies[index_of(StrategyId::naive)].in_contact = true;
+  EXPECT_FALSE(numbers().ghost_force.has_value());
+  EXPECT_FALSE(numbers().slide.has_value());
+}
+
 TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
   EXPECT_EQ(force_number(0.0), "0.00");
   EXPECT_EQ(force_number(-1.274), "1.27");

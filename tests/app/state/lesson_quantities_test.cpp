@@ -74,6 +74,9 @@ TEST_F(LessonQuantities, OfAMeasuredHandAreNotGuessed) {
   EXPECT_TRUE(std::isnan(lesson_quantity(LessonQuantity::ghost_force).read(reading)));
   EXPECT_TRUE(std::isnan(lesson_quantity(LessonQuantity::slide).read(reading)));
   EXPECT_FALSE(is_met({.quantity = LessonQuantity::ghost_force, .greatest = 1e9}, reading));
+  moment.in_contact = false;
+  moment.knows_ghost_force = true;
+  EXPECT_TRUE(std::isnan(lesson_quantity(LessonQuantity::ghost_force).read(reading))) << "it touches nothing";
 }
 
 TEST_F(LessonQuantities, MeetAConditionAtBothOfItsEnds) {
