@@ -346,7 +346,8 @@ LoopReading Application::reading() const {
                       .hand = report_.hand,
                       .hand_unknown_s = hand_following_.unknown_s(),
                       .recording = recording_reading_,
-                      .refused_by_system = refused_words(report_.realtime)};
+                      .refused_by_system = refused_words(report_.realtime),
+                      .replay = replay_place_};
   link_->fill(reading);
   return reading;
 }

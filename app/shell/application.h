@@ -117,6 +117,9 @@ class Application {
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem);
 
+  // The person sees a replay, which is as far as that.
+  void show_replay_place(const ReplayPlace& place) noexcept { replay_place_ = place; }
+
   // Time stands still: there will be something to draw when the person does something, and else hardly ever.
   bool is_idle() const { return session_.paused && link_->is_idle() && !needs_drawing(); }
 
@@ -206,6 +209,7 @@ class Application {
   std::function<void(const std::string& line)> show_link_;
   std::function<void(double time_s, const Action& action)> watch_actions_;
   bool is_replay_;
+  std::optional<ReplayPlace> replay_place_;
   History history_;
   LateTicks late_ticks_{LoopReading::lately_s};
   ClipboardTool clipboard_tool_;

@@ -14,6 +14,7 @@
 #include "app/workbench/dialogs.h"
 #include "app/workbench/motor_control.h"
 #include "app/workbench/plot_pieces.h"
+#include "app/workbench/status_bar.h"
 
 namespace ghostforce {
 namespace {
@@ -155,7 +156,12 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
   begin_screen("stage");
   stage_.update(session, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   draw_motor_frame(context);
-  if (context.session.stage.is_black) draw_motor_words(context);
+  const Vector<2>& end = stage_.picture().scene.most;  // above the buttons
+  if (context.session.stage.is_black) {
+    draw_motor_words(context);
+  } else {
+    draw_replay_place(context, {static_cast<float>(end.x), static_cast<float>(end.y)});
+  }
   ImGui::End();
   panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
 }

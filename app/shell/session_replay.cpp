@@ -50,6 +50,7 @@ void SessionReplay::step() {
   while (next_ < session_.actions.size() && session_.actions[next_].time_s <= application_.clock_s()) {
     repeat(session_.actions[next_++].action);
   }
+  application_.show_replay_place({next_, session_.actions.size()});
   application_.draw();
 }
 

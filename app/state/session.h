@@ -324,6 +324,12 @@ struct RecordingReading {
   std::uint64_t dropped = 0;  // samples that were lost
 };
 
+// How far a session is that is done again.
+struct ReplayPlace {
+  std::size_t done = 0;  // of its actions
+  std::size_t all = 0;
+};
+
 // What the loop reports about itself, for the status bar.
 struct LoopReading {
   static constexpr double lately_s = 10.0;  // of real time
@@ -350,6 +356,7 @@ struct LoopReading {
   RecordingReading recording{};
   std::optional<CircleReading> circle{};  // if the circle is the input
   std::string refused_by_system{};        // what the operating system does not grant the loop; may be empty
+  std::optional<ReplayPlace> replay{};    // empty: it is no replay
 };
 
 // How long the turn of the circle is that the picture shows; empty until the first is complete [s].

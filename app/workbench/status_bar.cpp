@@ -13,6 +13,7 @@
 
 #include "app/files/file_exchange.h"
 #include "app/state/front_keys.h"
+#include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "app/workbench/caption.h"
@@ -61,7 +62,27 @@ std::string shortened(const std::string& text, float room) {
   return kept + "…";
 }
 
+// Empty: this is no replay.
+std::string replay_words(const LoopReading& loop, const StageLanguage& language) {
+  return loop.replay ? filled(language.notices.replay, loop.replay->done, loop.replay->all) : std::string();
+}
+
 }  // namespace
+
+void draw_replay_place(const PanelContext& context, ImVec2 end) {
+  const std::string words = replay_words(context.loop, stage_language(context.session.language));
+  if (words.empty()) return;
+  const float height = ImGui::GetFontSize();
+  const ImVec2 extent = context.fonts.regular->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());
+  const float padding = 6.0F * context.scale;
+  const float margin = 14.0F * context.scale;
+  const ImVec2 most{end.x - margin, end.y - margin};
+  const ImVec2 corner{most.x - extent.x - 2.0F * padding, most.y - extent.y - 2.0F * padding};
+  ImDrawList& draw_list = *ImGui::GetWindowDrawList();
+  draw_list.AddRectFilled(corner, most, packed(context.theme.panel), padding);
+  draw_list.AddText(context.fonts.regular, height, {corner.x + padding, corner.y + padding}, packed(context.theme.text),
+                    words.c_str());
+}
 
 std::vector<std::string> troubles_of(const LoopReading& loop, const Settings& settings) {
   std::vector<std::string> words;
@@ -96,8 +117,10 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
   // On motors they are felt, and whoever holds the handle must not take them for the wall.
   const bool tones_are_felt = loop.hand.tone_gain > 0.0 && loop.motors.state != SafetyState::off;
-  const std::string words = fmt::format("{}   ·   t = {:8.3f} s{}", loop.input_title, context.snapshot.time_s,
-                                        tones_are_felt ? "   ·   measuring the hand: tones on the motor" : "");
+  const std::string replay = replay_words(loop, english_stage);
+  const std::string words =
+      fmt::format("{}{}{}   ·   t = {:8.3f} s{}", replay, replay.empty() ? "" : "   ·   ", loop.input_title,
+                  context.snapshot.time_s, tones_are_felt ? "   ·   measuring the hand: tones on the motor" : "");
   std::vector<std::string> problems = has_caption ? std::vector<std::string>() : warnings_of_caption(context);
   std::ranges::move(troubles_of(loop, context.settings), std::back_inserter(problems));
   const std::string problem = problems.empty() ? "" : fmt::format("   ·   {}", fmt::join(problems, "   ·   "));

@@ -14,6 +14,7 @@
 #include "tests/app/shell/recorded_window.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
+#include "tests/support/screen_text.h"
 #include "tests/support/shrink.h"
 #include "tests/support/temporary_folder.h"
 
@@ -105,6 +106,35 @@ TEST_F(SessionReplayTest, ADragIsOneStepToTakeBack) {
   replay_whole();
   EXPECT_EQ(session().settings.wall_normal_angle, before);
   EXPECT_FALSE(session().is_editing);
+}
+
+TEST_F(SessionReplayTest, SaysHowFarItIsOnBothFaces) {
+  const auto says = [](std::string_view sought) {
+    return std::ranges::any_of(words_on_screen(),
+                               [&](const ScreenWords& words) { return words.text.find(sought) != std::string::npos; });
+  };
+  ApplicationOptions options{.face = Face::stage};
+  options.language = "es";
+  open_recorded(path_, options);
+  frames(5);
+  act(TurnWallTo{2.0});
+  frames(5);
+  act(SwitchFace{});
+  frames(5);
+  EXPECT_FALSE(says("replay: ")) << "it is none";
+  const RecordedSession session_then = recorded();
+  const std::size_t all = session_then.actions.size();
+  open_replayed(session_then);
+  for (int i = 0; i < 9; ++i) replay_->step();
+  const auto is_early = [](const TimedAction& timed) { return timed.time_s < 0.16; };
+  const auto done = std::ranges::count_if(session_then.actions, is_early);
+  ASSERT_LT(static_cast<std::size_t>(done), all);
+  ASSERT_EQ(session().face, Face::stage);
+  EXPECT_TRUE(says(fmt::format("repetición: {} de {}", done, all)));
+  replay_whole();
+  ASSERT_EQ(session().face, Face::workbench);
+  EXPECT_TRUE(says(fmt::format("replay: {} of {}", all, all)));
+  EXPECT_FALSE(session().notice);
 }
 
 TEST_F(SessionReplayTest, WhatIsPastedIsInTheFile) {
