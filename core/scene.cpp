@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "core/conventions.h"
 
@@ -172,6 +173,16 @@ bool is_in_range(const Settings& settings) noexcept {
   scene.settings = settings;
   const auto in_range = [&scene](const SceneKey& key) { return std::visit(InRange{scene}, key.value); };
   return std::ranges::all_of(keys, in_range);
+}
+
+SceneView within_scene_limits(SceneView shown) {
+  for (const SceneKey& key : keys) {
+    if (key.table != "view" || key.name != "width_mm") continue;
+    const auto& width = std::get<NumberKey>(key.value);
+    shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
+  }
+  shown.center = nearest_in_scene(shown.center);
+  return shown;
 }
 
 }  // namespace ghostforce

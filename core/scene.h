@@ -156,6 +156,9 @@ inline Vector<2> nearest_in_scene(const Vector<2>& position) noexcept {
   return glm::clamp(position, Vector<2>(-farthest), Vector<2>(farthest));
 }
 
+// The nearest view that a scene may hold.
+SceneView within_scene_limits(SceneView shown);
+
 // What no single key shows: as many times as waypoints, and not too many ticks. Names the key at fault.
 struct SceneProblem {
   std::string_view table;

@@ -90,7 +90,9 @@ PictureRequest request_of(const RenderOptions& options) {
   request.renderer = options.renderer;
   request.face = options.picture.face_or(Face::workbench);
   request.mode = options.picture.stage_mode();
-  request.part = options.part == "scene" || vector_format_of(options.output) ? Part::scene : Part::window;
+  const bool is_clip_of_stage = options.clip && request.face == Face::stage && options.part.empty();
+  const bool is_scene = options.part == "scene" || vector_format_of(options.output) || is_clip_of_stage;
+  request.part = is_scene ? Part::scene : Part::window;
   apply_strategy_word(options.picture.strategy, request);
   if (const auto compare = find_compare(options.compare)) request.options.compare = *compare;
   options.picture.apply_appearance(request.appearance);
@@ -231,7 +233,8 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->type_name("WxH");
   command
       .add_option("--part", options->part,
-                  "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF")
+                  "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF, and for "
+                  "clips of the stage")
       ->type_name("PART")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);

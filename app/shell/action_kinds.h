@@ -68,7 +68,7 @@ inline constexpr auto action_kinds = std::tuple{
     line_kind<ToggleMode>("toggle-mode", line_field("mode", &ToggleMode::mode)), line_kind<MeasureHand>("measure-hand"),
     line_kind<PressMeasuringButton>("press-measuring-button"), line_kind<Confirm>("confirm"), line_kind<GoOn>("go-on"),
     line_kind<NextStep>("next-step"), line_kind<PreviousStep>("previous-step"), line_kind<ToggleBlank>("toggle-blank"),
-    line_kind<ToggleNumbers>("toggle-numbers"),
+    line_kind<ToggleMenu>("toggle-menu"), line_kind<ToggleNumbers>("toggle-numbers"),
     line_kind<AnswerLesson>("answer-lesson", line_field("answer", &AnswerLesson::answer)),
     line_kind<MoveSliderTo>("move-slider-to", line_field("value", &MoveSliderTo::value)),
     line_kind<NudgeSlider>("nudge-slider", line_field("hundredths", &NudgeSlider::hundredths)),

@@ -430,7 +430,7 @@ void Application::follow_own_wish(double interval_s) {
   const bool is_off = motors.state == SafetyState::off && !motors.may_still_push;
   off_by_person_s_ = is_off && motors.reason == OffReason::key ? off_by_person_s_ + interval_s : 0.0;
   if (off_by_person_s_ <= own_wish_stands_s) return;
-  ++session_.acknowledgements;
+  apply_now(AcknowledgeOff{});
   off_by_person_s_ = 0.0;
 }
 

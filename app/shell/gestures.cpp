@@ -9,8 +9,8 @@
 #include "app/picture/camera.h"
 #include "app/picture/handles.h"
 #include "app/picture/screen_box.h"
-#include "app/state/scene_view.h"
 #include "app/widgets/tooltips.h"
+#include "core/scene.h"
 
 namespace ghostforce {
 namespace {

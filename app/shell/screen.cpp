@@ -48,7 +48,10 @@ void Screen::take_keys(const Session& session, const ActionSink& apply) {
 
 void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
                   const LoopReading& loop, double interval_s) {
-  if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
+  if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) {  // minimised
+    keeps_notice_place_ = false;
+    return;
+  }
   // The style must not change within a frame.
   apply_appearance(session.appearance);
   window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
@@ -71,7 +74,8 @@ Image Screen::picture(const Session& session, const ShownMoment& moment, const H
   copy.hint.reset();
   copy.has_handles = false;
   const Image image = window_.picture_of(density, [&] {
-    draw_everything(copy, [](const Action&) {}, moment, history, loop, {part_, false, 0.0});
+    draw_everything(copy, [](const Action&) {}, moment, history, loop,
+                    {session.face == Face::stage ? part : part_, false, 0.0});
   });
   if (part == Part::window) return image;
   const auto pixels = [&](double points) {
@@ -148,7 +152,7 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
                                .measure = measure_,
                                .size = scene_size_,
                                .scale = static_cast<double>(context.scale),
-                               .has_controls = frame.is_live || frame.part == Part::window};
+                               .has_controls = frame.part == Part::window};
   if (!frame.is_live) {
     panes_ = {stage_.still(context.session, stage_frame).pane};
     return;

@@ -41,7 +41,7 @@ class Screen {
   bool is_moving(const Session& session) const noexcept;
 
   // News has just gone by itself. A press that comes a moment later was meant for its button, and does nothing.
-  void keep_place_of_notice() noexcept { notice_place_s_ = 1.0; }
+  void keep_place_of_notice() noexcept { notice_place_s_ = notice_place_lasts_s; }
 
   // In the window's new OpenGL context; the one before has gone with all that was in it.
   void restart_drawing();
@@ -99,6 +99,7 @@ class Screen {
   StageFace stage_;
   Appearance styled_appearance_{.theme = nullptr};
   float styled_scale_ = 0.0F;
+  static constexpr double notice_place_lasts_s = 1.0;
   double notice_place_s_ = 0.0;      // for so long the place of a notice that has gone is kept
   bool keeps_notice_place_ = false;  // in the last frame
   std::vector<Pane> panes_;

@@ -54,6 +54,7 @@ std::string shown_words(const Session& session, const LoopReading& reading) {
                   step != reading.readiness.end() ? step->title : std::string_view(), reading.recording.is_on,
                   reading.recording.path, reading.circle ? reading.circle->turns : 0);
   words += reading.shader_problem;
+  if (reading.replay) words += fmt::format(" {}/{}", reading.replay->done, reading.replay->all);
   if (const auto& lesson = session.lesson) {
     words += fmt::format(" {} {} {} {} {}", progress_key(*lesson->lesson), session.language, lesson->step,
                          static_cast<int>(lesson->steps[lesson->step].outcome), invites_visitors(session));

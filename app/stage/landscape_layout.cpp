@@ -14,7 +14,7 @@ constexpr double least_height = 22.1;  // as the numbers below add up
 constexpr double ems_in_height = 30.0;
 constexpr double buttons_share = 0.16;  // of the height
 constexpr double header_share = 0.085;
-constexpr double header_width_share = 0.56;  // of the height, too
+constexpr double header_width_share = 0.72;  // of the height, too
 constexpr double margin = 1.2;
 constexpr double breath = 0.15;
 constexpr NumberRange column_width{13.0, 20.0};

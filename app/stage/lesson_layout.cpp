@@ -152,7 +152,7 @@ class LessonArrangement {
       made.answers.push_back({items[i].box, std::move(items[i].lines)});
     }
     layout_.corner.reset();
-    layout_.links.clear();
+    layout_.link.reset();
     if (!words_.corner.empty())
       layout_.corner = StageButton{words_.corner_action, ends.front().box, std::string(words_.corner)};
     made.back.reset();

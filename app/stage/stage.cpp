@@ -48,7 +48,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .keys = content.keys,
                        .sentence = sentence,
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
-                       .corner_action = content.corner ? content.corner->action : StageCommand::keys,
+                       .corner_action = content.corner ? content.corner->action : StageCommand::next,
                        .has_full = !content.moment.is_measured,
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,
@@ -116,6 +116,8 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
                                         : stage_camera(content.shown, content.size, layout.bottom);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
                        .unit = layout.unit};
+  // A lesson's are also what it says.
+  const bool has_buttons = !content.is_bare && (content.has_controls || content.lesson);
   Marks& marks = picture.pane.marks;
   marks.clear();
   {
@@ -128,12 +130,10 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (has_old_guess) keep_guess_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
     if (has_old_guess) add_guess(layer);
-    if (!content.is_bare) {
-      if (!is_map || content.lesson) add_sentence(layer);
-      if (content.has_controls || content.lesson) add_buttons(layer);
-    }
+    if (!content.is_bare && (!is_map || content.lesson)) add_sentence(layer);
+    if (has_buttons) add_buttons(layer);
     canvas.add_labels();
-    if (!content.is_bare && (content.has_controls || content.lesson)) add_overlays(layer);
+    if (has_buttons) add_overlays(layer);
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
   picture.scene = layout.scene();
@@ -144,13 +144,13 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (content.may_turn_wall) picture.wall_grips = grips.wall;
   }
   if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
-  for (const auto* const buttons : {&layout.menu, &layout.strategies, &layout.header}) {
+  if (!has_buttons) return picture;
+  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.menu}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
-  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+  for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
     if (*button) picture.buttons.push_back(**button);
   }
-  picture.buttons.insert(picture.buttons.end(), layout.links.begin(), layout.links.end());
   if (!layout.menu.empty()) picture.menu = layout.menu_box;
   if (layout.lesson) {
     const std::vector<StageButton> buttons = lesson_buttons(*layout.lesson);

@@ -43,7 +43,7 @@ struct StageRound {
 
 // A button of its own at the end of the row: what there is to do next, or the motors'.
 struct StageCornerButton {
-  StageAction action = StageCommand::keys;
+  StageAction action = StageCommand::next;
   std::string words;
   bool is_alarming = false;  // motors may push
 };
@@ -79,7 +79,7 @@ struct StageContent {
   StageSecrets hides{};
   std::string warning{};     // what must be said instead of the sentence; may be empty
   bool is_bare = false;      // the scene alone: no sentence, no large numbers, no buttons round it
-  bool has_controls = true;  // else the buttons, too, are left out: nobody can press them in a picture
+  bool has_controls = true;  // else the buttons are left out, but for a lesson's: nobody can press them in a picture
   bool shows_menu = false;
 };
 

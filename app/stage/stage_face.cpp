@@ -322,7 +322,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
-  content.shows_menu = pointer_.shows_menu();
+  content.shows_menu = session.stage.shows_menu;
   content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
   content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
   // One thing to do at a time.

@@ -62,13 +62,14 @@ void add_header_button(const StageLayer& layer, const StageButton& button) {
   const bool is_in_menu = mode != stage_mode_catalog().end() && mode->is_in_menu;
   const bool is_menu = button.action == StageAction(StageCommand::menu);
   const bool is_on = button.action == StageAction(content.mode) || (is_menu && (is_in_menu || content.shows_menu));
-  const bool is_hot = is_on || is_hovered(content, button.action);
+  const bool stands_out = is_on || is_hovered(content, button.action);
   canvas.box(Role::button, button.box, canvas.points(10.0), is_on ? theme.panel_field : theme.background,
-             is_hot ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
-  const Colour colour = is_hot ? theme.accent : theme.faint_text;
+             stands_out ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
+  const Colour colour = stands_out ? theme.accent : theme.faint_text;
   const Vector<2> middle = 0.5 * (button.box.least + button.box.most);
   if (button.words.empty()) {
-    const double reach = 0.2 * button.box.extent().x;
+    constexpr double cross_reach = 0.204;  // of the button's width
+    const double reach = cross_reach * button.box.extent().x;
     for (const double y : {-reach, reach}) {
       canvas.curve(Role::button, {middle - Vector<2>(reach, y), middle + Vector<2>(reach, y)}, canvas.width(2.5),
                    colour);
@@ -87,6 +88,7 @@ struct HoverPanel {
 
 constexpr double hover_padding = 10.0;
 constexpr double menu_padding = 18.0;
+constexpr double air_round_panel = 3.0;  // in which no words stand
 
 std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
@@ -113,14 +115,25 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   return panel;
 }
 
-// Words are painted over all boxes. Those below this one go, so that nothing else has to move.
+// Words are painted over all boxes. Those below this one go, with all that belongs to them, so that nothing else has to
+// move.
 void take_words_away(const StageLayer& layer, const ScreenBox& box) {
   const auto& [content, layout, canvas] = layer;
-  std::erase_if(canvas.marks, [&](const Mark& mark) {
+  const auto is_below = [&](const Mark& mark) {
     const auto* const label = std::get_if<Label>(&mark.form);
     if (label == nullptr) return false;
     const Vector<2> corner = to_screen(canvas.camera, label->anchor) + label->offset;
     return overlap(box, ScreenBox{corner, corner + content.measure(label->text, label->style)}) > 0.0;
+  };
+  // A map's words, and those of buttons, each stand for themselves.
+  const auto stands_alone = [](const Mark& mark) { return mark.role == Role::map || mark.role == Role::button; };
+  std::vector<Role> covered;
+  for (const Mark& mark : canvas.marks) {
+    if (!stands_alone(mark) && is_below(mark)) covered.push_back(mark.role);
+  }
+  std::erase_if(canvas.marks, [&](const Mark& mark) {
+    if (stands_alone(mark)) return is_below(mark);
+    return std::holds_alternative<Label>(mark.form) && std::ranges::count(covered, mark.role) > 0;
   });
 }
 
@@ -128,7 +141,7 @@ void add_hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const auto panel = hover_panel(layer);
   if (!panel) return;
-  take_words_away(layer, panel->box);
+  take_words_away(layer, panel->box.grown(canvas.points(air_round_panel)));
   canvas.box(Role::hint, panel->box, canvas.points(10.0), content.theme.panel, content.theme.panel_border,
              canvas.width(1.5));
   canvas.text(Role::hint, panel->box.grown(-canvas.points(hover_padding)).least, panel->lines, layout.letters.words,
@@ -140,7 +153,7 @@ void add_menu(const StageLayer& layer) {
   const Theme& theme = content.theme;
   const TextStyle& style = layout.letters.words;
   const double padding = canvas.points(menu_padding);
-  take_words_away(layer, layout.menu_box);
+  take_words_away(layer, layout.menu_box.grown(canvas.points(air_round_panel)));
   canvas.box(Role::button, layout.menu_box, canvas.points(10.0), theme.panel, theme.panel_border, canvas.width(2.0));
   const std::vector<StageMenuRow> rows = stage_menu(content.language, content.keys);
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -157,7 +170,7 @@ void add_menu(const StageLayer& layer) {
                 false);
     if (!is_hot) continue;
     const double width = layout.menu_box.extent().x - 2.0 * padding;
-    canvas.text(Role::button, {box.least.x + padding, layout.menu.back().box.most.y},
+    canvas.text(Role::button, {box.least.x + padding, layout.menu.back().box.most.y + canvas.points(4.0)},
                 broken_into_lines(row.about, width, style, content.measure), style, theme.faint_text, false);
   }
 }
@@ -260,9 +273,9 @@ void add_buttons(const StageLayer& layer) {
   if (content.lesson) add_lesson_frame(layer);
   if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
   if (layout.corner) add_corner_button(layer, *layout.corner, content.corner->is_alarming);
-  for (const StageButton& link : layout.links) {
-    canvas.text(Role::button, link.box.least, link.words, layout.letters.words,
-                is_hovered(content, link.action) ? content.theme.accent : content.theme.faint_text);
+  if (const auto& link = layout.link) {
+    canvas.text(Role::button, link->box.least, link->words, layout.letters.words,
+                is_hovered(content, link->action) ? content.theme.accent : content.theme.faint_text);
   }
   add_cure_hint(layer);
 }
@@ -282,10 +295,9 @@ void keep_frame_clear(const StageLayer& layer) {
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.header) labels.keep_clear(button.box.grown(rim));
-  for (const auto* const button : {&layout.measuring, &layout.corner}) {
+  for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
     if (*button) labels.keep_clear((*button)->box.grown(rim));
   }
-  for (const StageButton& link : layout.links) labels.keep_clear(link.box.grown(rim));
   if (layout.lesson) keep_lesson_clear(layer);
   if (layout.ribbon) labels.keep_clear(*layout.ribbon);
 }

@@ -41,7 +41,7 @@ void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);       // above at the right, and below
 void add_overlays(const StageLayer& layer);      // over all: the menu, and what is said of what is under the pointer
 void add_lesson_frame(const StageLayer& layer);  // title, answers, slider, back and next
-void keep_frame_clear(const StageLayer& layer);  // of labels: sentence, buttons and what is said of them
+void keep_frame_clear(const StageLayer& layer);  // of labels: sentence and buttons
 
 void keep_lesson_clear(const StageLayer& layer);
 std::vector<StageButton> lesson_buttons(const LessonLayout& places);  // that can be pressed, but for the way out

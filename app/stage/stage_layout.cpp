@@ -23,8 +23,8 @@ constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
 constexpr double header_height = 40.0;
-constexpr double header_gap = 6.0;
-constexpr double header_padding = 11.0;
+constexpr double header_gap = 4.0;
+constexpr double header_padding = 8.0;
 constexpr double menu_row_height = 40.0;
 constexpr double menu_lines = 3.0;     // below the rows, of what is said of one of them
 constexpr double menu_key_gap = 30.0;  // between the longest words and the widest key
@@ -71,10 +71,7 @@ class Arrangement {
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
-    const bool sentence_fits = lines(words_.lesson != nullptr ? std::string_view(words_.lesson->longest_text)
-                                                              : longest_sentence(words_.language),
-                                     mark_width(true))
-                                   .size() <= most;
+    const bool sentence_fits = lines(longest_text(), mark_width(true)).size() <= most;
     const double block_height =
         layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
@@ -96,12 +93,8 @@ class Arrangement {
     layout_.sentence_box.most =
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
-    layout_.words_end = layout_.sentence_box.most.y;
-    if (words_.lesson != nullptr) {
-      const std::size_t most = lines(words_.lesson->longest_text, mark_width(true)).size();
-      layout_.words_end = std::max(layout_.words_end, layout_.sentence_box.least.y +
-                                                          static_cast<double>(most) * layout_.letters.sentence.height);
-    }
+    const std::size_t most = std::max(layout_.sentence.size(), lines(longest_text(), mark_width(true)).size());
+    layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
     layout_.bottom = layout_.lesson      ? layout_.lesson->top
@@ -112,6 +105,11 @@ class Arrangement {
 
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
+
+  // Of those that may stand where the sentence does.
+  std::string_view longest_text() const {
+    return words_.lesson != nullptr ? std::string_view(words_.lesson->longest_text) : longest_sentence(words_.language);
+  }
 
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
@@ -124,7 +122,7 @@ class Arrangement {
   void arrange_header() {
     layout_.header.clear();
     double right = layout_.size.x - layout_.margin;
-    const double top = layout_.margin - points(10.0);
+    const double top = layout_.margin - points(12.0);
     const auto add = [&](const StageAction& action, std::string_view words) {
       const double width = measure_(words, layout_.letters.words).x + points(2.0 * header_padding);
       layout_.header.push_back(
@@ -154,6 +152,7 @@ class Arrangement {
     const ScreenBox& button = layout_.header.back().box;
     double top = button.most.y + points(header_gap);
     layout_.menu_box = {{button.most.x - width, top}, {button.most.x, top}};
+    top += points(header_gap);
     for (const StageMenuRow& row : rows) {
       const double bottom = top + points(menu_row_height);
       layout_.menu.push_back(
@@ -177,30 +176,19 @@ class Arrangement {
     }
     const double right = layout_.size.x - layout_.margin;
     layout_.corner.reset();
-    layout_.links.clear();
+    layout_.link.reset();
     if (!words_.corner.empty()) {
       layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
       arrange_measuring();
       return x <= layout_.corner->box.least.x;
     }
-    const StageLanguage::Buttons& all = words_.language.buttons;
-    const double line = layout_.letters.words.height;
-    double top = bottom - 0.5 * points(button_height) - line;
-    std::vector<std::pair<StageCommand, std::string>> links{
-        {StageCommand::lessons, filled(all.lessons, words_.keys.lessons)},
-        {StageCommand::keys, filled(all.keys, words_.keys.help)}};
     if (!words_.keys.link.empty()) {
-      links.insert(links.begin(), {StageCommand::link, filled(all.link, words_.keys.link)});
-      top -= line;
+      const std::string link = filled(words_.language.buttons.link, words_.keys.link);
+      const double line = layout_.letters.words.height;
+      const Vector<2> corner(right - measure_(link, layout_.letters.words).x,
+                             bottom - 0.5 * (points(button_height) + line));
+      if (x <= corner.x) layout_.link = {StageCommand::link, {corner, {right, corner.y + line}}, link};
     }
-    for (const auto& [command, link] : links) {
-      const double left = right - measure_(link, layout_.letters.words).x;
-      layout_.links.push_back({command, {{left, top}, {right, top + line}}, link});
-      top += line;
-    }
-    const bool have_room =
-        std::ranges::all_of(layout_.links, [&](const StageButton& link) { return x <= link.box.least.x; });
-    if (!have_room) layout_.links.clear();
     return x - points(gap) <= right;
   }
 

@@ -89,7 +89,7 @@ struct StageLayout {
   ScreenBox menu_box;                    // round them
   std::optional<StageButton> corner;     // at the row's other end
   std::optional<StageButton> measuring;  // above it, or in a lesson's row
-  std::vector<StageButton> links;        // or there, as words, where there is room: lessons and keys
+  std::optional<StageButton> link;       // in place of the corner's, as words, where there is room
   std::optional<ScreenBox> ribbon;       // above the row, where there is one
   std::optional<LessonLayout> lesson;
   double header_left = 0.0;     // where what stands above at the right begins
@@ -114,8 +114,8 @@ struct StageFrameWords {
   const StageLanguage& language;
   StageKeys keys;
   std::string_view sentence;
-  std::string_view corner{};  // of the button at the other end of the row; empty: the help's, where there is room
-  StageAction corner_action = StageCommand::keys;
+  std::string_view corner{};  // of the button at the other end of the row; empty: there is none
+  StageAction corner_action = StageCommand::next;
   bool has_full = true;                             // the strategy with every motor can be chosen
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none

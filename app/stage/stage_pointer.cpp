@@ -18,6 +18,10 @@ namespace {
 
 constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
 
+void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
+  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
+}
+
 // With the focus, arrows are the slider's.
 void nudge_by_key(const ActionSink& apply) {
   for (const Nudge& nudge : take_nudges()) {
@@ -38,8 +42,11 @@ std::optional<Action> action_of_slider(const Session& session, const StagePictur
 }
 
 std::optional<StageAction> button_at(const StagePicture& picture, const Vector<2>& pointer) {
-  const auto button =
-      std::ranges::find_if(picture.buttons, [&](const StageButton& entry) { return contains(entry.box, pointer); });
+  // The menu lies over all others.
+  const bool is_in_menu = picture.menu && contains(*picture.menu, pointer);
+  const auto button = std::ranges::find_if(picture.buttons, [&](const StageButton& entry) {
+    return contains(entry.box, pointer) && (!is_in_menu || contains(*picture.menu, entry.box.least));
+  });
   return button == picture.buttons.end() ? std::nullopt : std::optional(button->action);
 }
 
@@ -138,14 +145,13 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   const Scene scene{picture};
   has_touched_ = is_held || (is_hovered && (pointer != last_ || io.MouseWheel != 0.0F));
   if (session.drags_goal) apply(LetGoOfHand{});
-  if (session.lesson || ImGui::IsKeyPressed(ImGuiKey_Escape, false)) shows_menu_ = false;
 
   if (!is_held) {
     hold_ = Hold::nothing;
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
     if (is_hovered) hovered_ = button_at(picture, pointer);
-    const Hold hold = is_hovered && !hovered_ && !shows_menu_ ? hold_at(session, scene, pointer) : Hold::nothing;
+    const Hold hold = is_hovered && !hovered_ && !picture.menu ? hold_at(session, scene, pointer) : Hold::nothing;
     if (may_hold(session, hold)) {
       if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
       if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
@@ -165,11 +171,6 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   press_by_key(apply, frame, picture, corner);
 }
 
-void StagePointer::press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
-  shows_menu_ = button == StageAction(StageCommand::menu) && !shows_menu_;
-  if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
-}
-
 void StagePointer::begin(const Session& session, const ActionSink& apply, const StageFrame& frame, const Scene& scene,
                          const Vector<2>& pointer) {
   last_ = pointer;
@@ -183,9 +184,9 @@ void StagePointer::begin(const Session& session, const ActionSink& apply, const 
     hovered_ = button;
     if (button == StageAction(StageCommand::slider)) hold_ = Hold::slider;
     press(*button, apply, frame.loop.motors);
-  } else if (shows_menu_) {
+  } else if (const auto& menu = scene.picture.menu) {
     // Whoever wants to be rid of it does not mean to move the hand.
-    shows_menu_ = scene.picture.menu && contains(*scene.picture.menu, pointer);
+    if (!contains(*menu, pointer)) apply(ToggleMenu{});
   } else {
     hold_ = hold_at(session, scene, pointer);
     if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
@@ -208,6 +209,8 @@ void StagePointer::press_by_key(const ActionSink& apply, const StageFrame& frame
     if (ImGui::InvisibleButton("button", imgui_vector(size), ImGuiButtonFlags_EnableNav)) {
       press(button.action, apply, frame.loop.motors);
     }
+    // What has the focus is explained as what is under the pointer is.
+    if (ImGui::GetIO().NavVisible && ImGui::IsItemFocused()) hovered_ = button.action;
     if (button.action == StageAction(StageCommand::slider)) nudge_by_key(apply);
     ImGui::PopID();
     ImGui::PopID();

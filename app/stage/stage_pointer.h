@@ -1,7 +1,6 @@
 // StagePointer: what the mouse does on the stage. Drag: the hand follows; the ends of the motor's rail and the wall's
 // grips turn them (in steps of 5°, with Ctrl without steps); buttons; the wheel zooms, a right drag moves the picture;
-// and what the mode has to take hold of. The menu is
-// open until something else is pressed, or Esc. Between ImGui's NewFrame and Render, UI thread.
+// and what the mode has to take hold of. Between ImGui's NewFrame and Render, UI thread.
 #pragma once
 
 #include <optional>
@@ -24,7 +23,6 @@ class StagePointer {
   const std::optional<StageAction>& hovered() const noexcept { return hovered_; }
   bool is_holding() const noexcept { return hold_ != Hold::nothing; }
   bool has_touched() const noexcept { return has_touched_; }  // in this frame
-  bool shows_menu() const noexcept { return shows_menu_; }
 
  private:
   enum class Hold : std::uint8_t {
@@ -43,7 +41,6 @@ class StagePointer {
 
   static Hold hold_at(const Session& session, const Scene& scene, const Vector<2>& pointer);
   static bool may_hold(const Session& session, Hold hold);
-  void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors);
   void press_by_key(const ActionSink& apply, const StageFrame& frame, const StagePicture& picture, ImVec2 corner);
   void begin(const Session& session, const ActionSink& apply, const StageFrame& frame, const Scene& scene,
              const Vector<2>& pointer);
@@ -54,7 +51,6 @@ class StagePointer {
   StageGrip hovered_grip_ = StageGrip::none;
   std::optional<StageAction> hovered_;
   bool has_touched_ = false;
-  bool shows_menu_ = false;
   HeldAngle held_angle_;
   Vector<2> last_{0.0};  // a frame ago [points]
 };

@@ -102,6 +102,8 @@ struct GoOn {};
 struct NextStep {};
 struct PreviousStep {};
 struct ToggleBlank {};
+// The stage's menu; whatever else is done closes it.
+struct ToggleMenu {};
 struct ToggleNumbers {};
 struct AnswerLesson {
   std::size_t answer = 0;
@@ -280,15 +282,18 @@ using Action = std::variant<
     MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnLandscapeDial,
     LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy,
     ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
-    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleNumbers, AnswerLesson, LeaveLesson,
-    NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView,
-    PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput,
-    ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage,
-    SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
-    CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest,
-    ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson,
-    DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink,
-    StartRecording, StopRecording, ResetPreferences>;
+    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers, AnswerLesson,
+    LeaveLesson, NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption,
+    FitView, ZoomView, PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog,
+    ChooseInput, ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse,
+    ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
+    TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
+    FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo, OpenScene,
+    OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp,
+    ShowLink, StartRecording, StopRecording, ResetPreferences>;
+
+// All others close the stage's menu. Escape does it by itself.
+using LeavesMenuOpen = std::variant<ToggleMenu, Escape, LetGoOfHand, HoldControl, AcknowledgeOff>;
 
 // To whom those who make Actions hand them. UI thread.
 using ActionSink = std::function<void(const Action& action)>;

@@ -198,6 +198,10 @@ void act(Session& session, const ToggleNumbers&) {
   session.notice = Notice{std::string(stage_language(session.language).notices.numbers_hidden)};
 }
 
+void act(Session& session, const ToggleMenu&) {
+  session.stage.shows_menu = !session.stage.shows_menu;
+}
+
 void act(Session& session, const ToggleBlank&) {
   session.stage.is_black = !session.stage.is_black;
 }
@@ -293,7 +297,8 @@ void act(Session& session, const Escape&) {
   // Whoever stops the motors goes on seeing why that was needed; a second one closes what is open.
   if (session.motors_may_push) return;
   const bool was_black = std::exchange(session.stage.is_black, false);
-  const bool closes_more = was_black || session.dialog != Dialog::none || session.notice;
+  const bool was_menu = std::exchange(session.stage.shows_menu, false);
+  const bool closes_more = was_black || was_menu || session.dialog != Dialog::none || session.notice;
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;
@@ -476,6 +481,7 @@ Effects apply(Session& session, const Action& action) {
   Effects effects;
   std::visit(
       [&]<typename A>(const A& wanted) {
+        if constexpr (!is_one_of<A, LeavesMenuOpen>) session.stage.shows_menu = false;
         if constexpr (is_one_of<A, Effect>) {
           effects.emplace_back(wanted);
         } else {

@@ -29,7 +29,7 @@ using ForVisitors =
 
 // A lesson tells its own time, says which mode is on and what moves the hand, and leaves nothing to undo.
 using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode,
-                                  ChooseInput, BeginCircleTest, EndCircleTest, StartMeasuring, Undo, Redo>;
+                                  ToggleMenu, ChooseInput, BeginCircleTest, EndCircleTest, StartMeasuring, Undo, Redo>;
 
 Permission refuse_unless(bool is_allowed, const Refusal& refusal) {
   return is_allowed ? std::nullopt : Permission(refusal);

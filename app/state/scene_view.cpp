@@ -1,8 +1,5 @@
 #include "app/state/scene_view.h"
 
-#include <algorithm>
-#include <variant>
-
 #include "app/files/scene_file.h"
 
 namespace ghostforce {
@@ -24,16 +21,6 @@ PaneViews moved(const PaneViews& views, const Vector<2>& by) {
   PaneViews result = views;
   for (Vector<2>& center : result.centers) center = nearest_in_scene(center + by);
   return result;
-}
-
-SceneView within_scene_limits(SceneView shown) {
-  for (const SceneKey& key : scene_keys()) {
-    if (key.table != "view" || key.name != "width_mm") continue;
-    const auto& width = std::get<NumberKey>(key.value);
-    shown.width = std::clamp(shown.width, width.least / width.per_si, width.greatest / width.per_si);
-  }
-  shown.center = nearest_in_scene(shown.center);
-  return shown;
 }
 
 Scene scene_as_seen(const Session& session) {

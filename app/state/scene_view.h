@@ -8,9 +8,6 @@
 
 namespace ghostforce {
 
-// The nearest view that a scene's file can hold.
-SceneView within_scene_limits(SceneView shown);
-
 // Zooms by `factor` (above 1: closer), so that the world point `at` stays where it is.
 SceneView zoomed(const SceneView& shown, double factor, const Vector<2>& at);
 

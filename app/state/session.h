@@ -47,7 +47,8 @@ struct StageChoice {
   std::optional<double> looks_back_to_s{};  // the moment of the last minute that is shown, model time; empty: now
   bool is_black = false;                    // the picture is hidden, as clickers do
   bool hides_numbers = false;               // to ask a room for them first
-  std::optional<int> demo_step{};           // of the talk that a clicker goes through; empty: not begun
+  bool shows_menu = false;
+  std::optional<int> demo_step{};  // of the talk that a clicker goes through; empty: not begun
 };
 
 // How a step's question was answered. Shown: the answer was given away, without a score.

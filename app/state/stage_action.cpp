@@ -47,6 +47,7 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
     case StageCommand::measure:
       return PressMeasuringButton{};
     case StageCommand::menu:
+      return ToggleMenu{};
     case StageCommand::slider:
       return std::nullopt;
   }
@@ -79,6 +80,8 @@ std::optional<Action> action_of_motor_button(const MotorReport& motors) {
   if (!motors.has_motors) return std::nullopt;
   if (motors.state != SafetyState::off) return StopMotors{};
   if (motors.may_still_push) return OpenDialog{Dialog::doctor};
+  // For a moment, so that a press in haste does not arm what another one has just turned off.
+  if (motors.reason == OffReason::key) return std::nullopt;
   if (motors.reason != OffReason::none) return AcknowledgeOff{};
   if (motors.is_ready) return ArmMotors{};
   return OpenDialog{Dialog::doctor};

@@ -47,8 +47,7 @@ struct StageKeys {
   std::string_view link{};  // to what is shown; empty: there is no such thing here
 };
 
-// What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged, or it
-// is the menu's button, which is the stage's own.
+// What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged.
 std::optional<Action> action_of_button(const StageAction& button, const MotorReport& motors);
 
 // The one button of the motors: reads why they are off, arms them, turns them off, or says what is missing. What it

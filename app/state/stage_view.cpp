@@ -34,7 +34,7 @@ SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goa
       box.include(rest.at.device + rest.at.force / usual * (length / longest));
     }
   }
-  return {.center = 0.5 * (box.least + box.most), .width = width()};
+  return within_scene_limits({.center = 0.5 * (box.least + box.most), .width = width()});
 }
 
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {

@@ -93,7 +93,7 @@ void draw_dialog(const PanelContext& context) {
   // The steps speak of what happens in the scene: it stays out of its way.
   float top = margin;
   if (entry->is_at_the_side) {
-    // Below the bar, or the stage's sentence and icons, which grow with the window.
+    // Below the bar, or the stage's sentence and buttons, which grow with the window.
     top = session.face == Face::stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
     ImGui::SetNextWindowPos({whole.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
   } else {

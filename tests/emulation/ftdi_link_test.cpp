@@ -1,6 +1,7 @@
 // The Falcon's link with the real libusb, against devices that exist only at the kernel's boundary.
 #include "device/falcon_usb/ftdi_link.h"
 
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -435,6 +436,27 @@ TEST_F(FtdiLinkTest, SendsAtOnceWithoutItsOwnThread) {
   wire.join();
   // What the kernel has already goes first.
   EXPECT_EQ(chip.received(), (Bytes{1, 2, 3, 7, 8}));
+}
+
+// The number of a file that was closed may be another file's at once: the emulation ends a process that uses it.
+TEST_F(FtdiLinkTest, IsNotClosedUnderSomebodyWhoSendsAtOnce) {
+  falcon.plug();
+  FtdiLink link;
+  for (int round = 0; round < 30; ++round) {
+    ASSERT_EQ(link.open(), LinkFault::none) << round;
+    std::atomic<bool> has_begun = false;
+    std::atomic<bool> is_over = false;
+    std::thread emergency([&] {
+      while (!is_over) {
+        link.send_at_once(Bytes{7});
+        has_begun = true;
+      }
+    });
+    while (!has_begun) std::this_thread::yield();
+    link.close();
+    is_over = true;
+    emergency.join();
+  }
 }
 
 // A program that fails an assertion has no thread and no heap to rely on.

@@ -66,8 +66,7 @@ TEST_F(KioskVisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
       for (std::size_t i = 0; lesson().lesson == each && i < 2 * each->steps.size(); ++i) {
         SCOPED_TRACE(each->name + " " + each->steps[lesson().step].name);
         for (const std::string key : {"F1", "F2", "F3", "F4", "F5", "Ctrl", "Esc"}) EXPECT_FALSE(says(key)) << key;
-        const std::array<StageAction, 4> not_theirs{StageCommand::leave, StageCommand::lessons, StageCommand::keys,
-                                                    Face::workbench};
+        const std::array<StageAction, 3> not_theirs{StageCommand::leave, StageCommand::lessons, StageCommand::menu};
         for (const StageAction& action : not_theirs) EXPECT_EQ(button_for(action), nullptr);
         EXPECT_NE(button_for(StageCommand::language), nullptr);
         press(key::page_down);

@@ -59,11 +59,21 @@ TEST(StagePicture, IsAsLargeAsItIsAskedForAndTheSameEveryTime) {
   EXPECT_TRUE(read_whole(folder / "a.png") == read_whole(folder / "b.png"));
 }
 
-TEST(StagePicture, HasNothingRoundItsScene) {
+// The window has them, a picture of the scene does not: nobody can press them there.
+TEST(StagePicture, HasButtonsOnlyAsAPartOfTheWindow) {
   const TemporaryFolder folder;
+  ASSERT_EQ(render_stage({"-o", folder / "window.png"}).exit_code, 0);
   ASSERT_EQ(render_stage({"--part", "scene", "-o", folder / "scene.png"}).exit_code, 0);
-  ASSERT_EQ(render_stage({"--part", "window", "-o", folder / "window.png"}).exit_code, 0);
-  EXPECT_TRUE(read_whole(folder / "scene.png") == read_whole(folder / "window.png"));
+  const Image window = read_png(folder / "window.png");
+  const Image scene = read_png(folder / "scene.png");
+  ASSERT_EQ(window.width, scene.width);
+  ASSERT_EQ(window.height, scene.height);
+  EXPECT_TRUE(window.rgb != scene.rgb);
+  for (const std::string_view format : {"svg", "pdf"}) {
+    const std::string path = folder / ("scene." + std::string(format));
+    ASSERT_EQ(render_stage({"-o", path}).exit_code, 0);
+    EXPECT_EQ(read_whole(path).find("Lessons"), std::string::npos);
+  }
 }
 
 TEST(StagePicture, SaysItsNumbersInEveryFormat) {

@@ -61,6 +61,7 @@ TEST_F(StiffnessProbeWindow, ItsButtonsDoWhatItsKeysDo) {
     const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
     click_at(middle.x, middle.y);
   };
+  click(StageCommand::menu);
   click(StageMode::measure);
   EXPECT_TRUE(probe().is_running());
   measure();

@@ -97,7 +97,7 @@ bool cover_each_other(const ScreenBox& a, const ScreenBox& b) {
 
 void expect_readable(const Picture& picture, const std::string& where) {
   const Vector<2> size = picture.size;
-  const ScreenBox header{{size.x - 0.56 * size.y, 0.0}, {size.x, 0.085 * size.y}};
+  const ScreenBox header{{size.x - 0.72 * size.y, 0.0}, {size.x, 0.085 * size.y}};
   const ScreenBox buttons{{0.0, 0.84 * size.y}, size};
   std::vector<ScreenBox> marks = picture.discs(Role::handle);
   ASSERT_EQ(marks.size(), 2U) << "the ring and what sets it off";

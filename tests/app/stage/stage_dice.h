@@ -49,6 +49,7 @@ struct StageCase {
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
   std::string_view warning{};
+  bool shows_menu = false;
 
   template <typename Use>
   auto with_content(Use&& use) const {
@@ -79,7 +80,8 @@ struct StageCase {
                             .corner = corner,
                             .lesson = lesson,
                             .hides = hides,
-                            .warning = std::string(warning)});
+                            .warning = std::string(warning),
+                            .shows_menu = shows_menu});
   }
   StagePicture compose(LabelMemory& memory, double interval_s) const {
     return with_content([&](const StageContent& content) { return compose_stage(content, memory, interval_s); });
@@ -157,8 +159,8 @@ inline StageCase stage_case_by(PictureDice& dice, const StageLanguage& language 
   made.may_turn_motor = made.may_turn_wall = dice.one_in(2);
   if (dice.one_in(5)) made.hint = dice.one_of(std::array{StageHint::drag, StageHint::cure, StageHint::motor});
   if (dice.one_in(10)) {
-    made.hovered =
-        dice.one_of(std::array<StageAction, 4>{StageMode::why, StageMode::round, StrategyId::naive, Face::workbench});
+    made.hovered = dice.one_of(
+        std::array<StageAction, 4>{StageMode::why, StageCommand::menu, StrategyId::naive, StageCommand::lessons});
   }
   if (made.mode == StageMode::predict) {
     made.guess.at = made.moment.goal + Vector<2>(dice.between(-0.02, 0.02), dice.between(-0.02, 0.02));

@@ -109,7 +109,8 @@ TEST_P(Stage, FindsAPlaceForTheNumbersAndCoversNothingWithThemIfItCan) {
   int missed = 0;
   Vector<2> usual(0.0);
   for (int i = 0; i < 500; ++i) {
-    const StageCase shown = stage_case_by(dice, *GetParam());
+    StageCase shown = stage_case_by(dice, *GetParam());
+    shown.hovered.reset();  // what is said of it takes the words below away
     if (!has_numbers(shown)) continue;
     const Drawn drawn(shown.compose());
     ++asked;
@@ -212,10 +213,11 @@ TEST_P(Stage, LeavesOutTheLessImportantWords) {
     ++count[role][0];
     if (drawn.label(role, words) != nullptr) ++count[role][1];
   };
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < 4000; ++i) {
     StageCase shown = stage_case_by(dice, *GetParam());
     shown.mode = StageMode::none;
     shown.warning = {};
+    shown.hovered.reset();  // what is said of it takes the words below away
     const Drawn drawn(shown.compose());
     const Camera& camera = drawn.picture.pane.camera;
     const StageMoment& moment = shown.moment;
@@ -245,6 +247,59 @@ TEST_P(Stage, LeavesOutTheLessImportantWords) {
   EXPECT_GE(share(Role::device), 0.95);
   EXPECT_GE(share(Role::wall_share), 0.9);
   EXPECT_GE(share(Role::hand), 0.85);
+}
+
+// --- The menu ----------------------------------------------------------------------------------------------------------
+
+// Words below it may go; all others stay where they are.
+void expect_nothing_moves(const Drawn& before, const Drawn& now, const ScreenBox& over, const std::string& where) {
+  for (const LabelExtent& label : now.extents.labels) {
+    if (lies_in(label.box, over)) continue;
+    EXPECT_LE(overlap(label.box, over), rounding) << label.words << " in " << where;
+    const bool was_there = std::ranges::any_of(before.extents.labels, [&](const LabelExtent& other) {
+      return other.words == label.words && other.box.least == label.box.least;
+    });
+    EXPECT_TRUE(was_there) << label.words << " in " << where;
+  }
+}
+
+TEST_P(Stage, HasAMenuThatFitsAndMovesNothing) {
+  PictureDice dice(314);
+  const std::vector<StageMenuRow> rows = stage_menu(*GetParam(), {.lessons = "F5", .help = "F1"});
+  for (std::size_t i = 0; i < 300; ++i) {
+    StageCase shown = stage_case_by(dice, *GetParam());
+    shown.hovered.reset();
+    const Drawn before(shown.compose());
+    shown.shows_menu = true;
+    shown.hovered = rows[i % rows.size()].action;
+    const Drawn open(shown.compose());
+    ASSERT_TRUE(open.picture.menu);
+    EXPECT_TRUE(lies_in(*open.picture.menu, {Vector<2>(0.0), shown.size})) << words_for(shown);
+    EXPECT_EQ(open.picture.buttons.size(), before.picture.buttons.size() + rows.size());
+    expect_nothing_moves(before, open, *open.picture.menu, words_for(shown));
+  }
+}
+
+TEST_P(Stage, MovesNothingToSayWhatAButtonDoes) {
+  PictureDice dice(315);
+  for (int i = 0; i < 300; ++i) {
+    StageCase shown = stage_case_by(dice, *GetParam());
+    shown.hint.reset();
+    shown.hovered.reset();
+    const Drawn before(shown.compose());
+    shown.hovered =
+        dice.one_of(std::array<StageAction, 3>{StageMode::predict, StageCommand::menu, StageCommand::lessons});
+    if (shown.hovered == StageAction(shown.mode)) continue;
+    const Drawn hovered(shown.compose());
+    ScreenBox panel{Vector<2>(1e9), Vector<2>(-1e9)};
+    for (const LabelExtent& label : hovered.extents.labels) {
+      if (label.role != Role::hint) continue;
+      panel.include(label.box.least);
+      panel.include(label.box.most);
+    }
+    ASSERT_LT(panel.least.x, panel.most.x) << words_for(shown);
+    expect_nothing_moves(before, hovered, panel, words_for(shown));
+  }
 }
 
 // --- Sizes -------------------------------------------------------------------------------------------------------------

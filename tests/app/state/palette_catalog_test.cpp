@@ -58,9 +58,9 @@ using WithAmount = std::variant<HoldControl, MoveHandBy, MoveHandTo, LetGoOfHand
                                 PanView, ChangeSpeed, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChangeStiffnesses,
                                 Believe, ChangeCircle, InjectFault, AimAtTarget>;
 // They answer what stands on the screen, with its button beside it.
-using OfWhatIsOpen =
-    std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLesson, TakeReading, RevealHand, BelieveMeasurement,
-                 FollowNewest, ForgetLessons, Escape, CloseDialog, CloseNotice, HideHints, ResetPreferences>;
+using OfWhatIsOpen = std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLesson, TakeReading, RevealHand,
+                                  BelieveMeasurement, FollowNewest, ForgetLessons, Escape, CloseDialog, CloseNotice,
+                                  HideHints, ResetPreferences, ToggleMenu>;
 // A dialog that is in the catalog asks for their path first, or nobody chooses them by words.
 using WithPath = std::variant<DropFiles, SaveScene, SavePicture, SaveClip, SavePlots>;
 // Another Action in the catalog does the same.

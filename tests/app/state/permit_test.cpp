@@ -56,6 +56,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       OpenDialog{Dialog::help},
                                       ToggleDialog{Dialog::palette},
                                       ToggleBlank{},
+                                      ToggleMenu{},
                                       ToggleNumbers{}};
   for (const Action& action : forbidden) EXPECT_TRUE(may(action)) << action.index();
   begin_kiosk_visit(session, shipped_lessons());

@@ -208,6 +208,43 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   expect_step(0);
 }
 
+TEST_F(StageKeysTest, TheMenuOpensWhatHasNoButtonOfItsOwn) {
+  const auto click = [&](const StageAction& action) {
+    const auto& buttons = screen().stage().picture().buttons;
+    const auto found = std::ranges::find(buttons, action, &StageButton::action);
+    ASSERT_NE(found, buttons.end());
+    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
+    click_at(middle.x, middle.y);
+    frames(2);
+  };
+  const auto is_open = [&] { return screen().stage().picture().menu.has_value(); };
+  click(StageCommand::menu);
+  ASSERT_TRUE(is_open());
+  click(StageMode::landscape);
+  EXPECT_EQ(session().stage.mode, StageMode::landscape);
+  EXPECT_FALSE(is_open());
+  press(key::escape);
+  EXPECT_EQ(session().stage.mode, StageMode::none);
+  click(StageCommand::menu);
+  click(StageCommand::palette);
+  EXPECT_EQ(session().dialog, Dialog::palette);
+  press(key::escape);
+  frames(2);
+  click(StageCommand::menu);
+  press(key::escape);
+  frames(2);
+  EXPECT_FALSE(is_open());
+  // A press beside it closes it, and moves nothing.
+  click(StageCommand::menu);
+  const Vector<2> before = session().goal;
+  click_at(300.0, 400.0);
+  frames(2);
+  EXPECT_FALSE(is_open());
+  EXPECT_EQ(session().goal, before);
+  click_at(300.0, 400.0);
+  EXPECT_NE(session().goal, before);
+}
+
 TEST_F(StageKeysTest, ANoticeCoversNoButton) {
   session().notice = Notice{
       .words = "Saved a picture whose name is rather long: /home/somebody/pictures/of-a-lecture/wall45-naive.png",
@@ -218,7 +255,7 @@ TEST_F(StageKeysTest, ANoticeCoversNoButton) {
   const ImRect rect = notice->Rect();
   const ScreenBox box{{static_cast<double>(rect.Min.x), static_cast<double>(rect.Min.y)},
                       {static_cast<double>(rect.Max.x), static_cast<double>(rect.Max.y)}};
-  ASSERT_GE(screen().stage().picture().buttons.size(), 10U);
+  ASSERT_GE(screen().stage().picture().buttons.size(), 7U);
   for (const StageButton& button : screen().stage().picture().buttons) {
     const bool is_apart = button.box.most.y <= box.least.y || button.box.least.y >= box.most.y ||
                           button.box.most.x <= box.least.x || button.box.least.x >= box.most.x;
@@ -226,7 +263,7 @@ TEST_F(StageKeysTest, ANoticeCoversNoButton) {
   }
 }
 
-TEST_F(StageKeysTest, TheDeviceStatusLeavesSentenceAndIconsInSight) {
+TEST_F(StageKeysTest, TheDeviceStatusLeavesSentenceAndButtonsInSight) {
   press(key::f2);
   frames(3);
   const ImGuiWindow* const status = ImGui::FindWindowByName("Device status");
