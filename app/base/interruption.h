@@ -6,6 +6,9 @@
 // counts as something to read.
 #pragma once
 
+#include <cstddef>
+#include <string>
+
 namespace ghostforce {
 
 // From here on the first SIGINT, SIGTERM or SIGHUP calls `stop_motors`, which must be async-signal-safe, and is
@@ -41,5 +44,20 @@ bool wait_for_reader(int descriptor) noexcept;
 // open(2), which waits where a pipe has nobody at its other end: that ends as above. Reading and writing do not wait:
 // they may fail with EAGAIN.
 int open_unless_interrupted(const char* path, int flags);
+
+// --- A line that a person types or a script hands in ---
+
+inline constexpr std::size_t longest_input_line = 65536;  // [bytes]
+
+struct InputLine {
+  std::string text;  // without its newline
+  // False: the newline never came, because the input had ended or could not be read, or because the line is too long.
+  // Whether that is an answer is for the caller to say; no text at all is none.
+  bool is_whole = false;
+};
+
+// Nothing beyond the line is taken, so that whoever reads the same input next, in this program or after it, finds the
+// rest. Waits as above. Any thread.
+InputLine read_line(int descriptor);
 
 }  // namespace ghostforce

@@ -16,7 +16,6 @@
 #include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
-#include "app/base/input_line.h"
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
 #include "app/base/quoted.h"

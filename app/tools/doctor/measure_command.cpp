@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "app/base/failure.h"
-#include "app/base/input_line.h"
+#include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/files/falcon_calibration_file.h"

@@ -1,5 +1,5 @@
 // Lines of the standard input: as they come through a pipe, and where one ends without its newline.
-#include "app/base/input_line.h"
+#include "app/base/interruption.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -13,7 +13,6 @@
 #include <gtest/gtest.h>
 
 #include "app/base/failure.h"
-#include "app/base/interruption.h"
 #include "tests/support/before_waiting.h"
 #include "tests/support/exit_code_of.h"
 #include "tests/support/temporary_folder.h"
