@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <imgui_impl_glfw.h>
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -90,6 +91,14 @@ class DrivenWindow : public testing::Test {
     frames(2);
     button(GLFW_RELEASE);
     frames(2);
+  }
+  // A button of the stage, in the middle, where the last frame had it.
+  void click_on(const StageAction& action) {
+    const auto& buttons = screen().stage().picture().buttons;
+    const auto found = std::ranges::find(buttons, action, &StageButton::action);
+    ASSERT_NE(found, buttons.end());
+    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
+    click_at(middle.x, middle.y);
   }
   void press_at(const Vector<2>& at, int which = GLFW_MOUSE_BUTTON_LEFT) {
     point_at(at);

@@ -23,12 +23,6 @@ class KioskVisitWindowTest : public KioskVisitWindow {
     const auto found = std::ranges::find(buttons, action, &StageButton::action);
     return found == buttons.end() ? nullptr : &*found;
   }
-  void click(const StageAction& action) {
-    const StageButton* const found = button_for(action);
-    ASSERT_NE(found, nullptr);
-    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
-    click_at(middle.x, middle.y);
-  }
   // All that stands on the stage.
   std::string words() const {
     std::string all;
@@ -72,7 +66,7 @@ TEST_F(KioskVisitWindowTest, TheStageSpeaksOfNothingThatAVisitorDoesNotHave) {
         press(key::page_down);
       }
     }
-    if (language == "en") click(StageCommand::language);
+    if (language == "en") click_on(StageCommand::language);
   }
 }
 
@@ -80,7 +74,7 @@ TEST_F(KioskVisitWindowTest, AButtonChangesTheLanguageAndTheNextVisitorBeginsWit
   begin();
   EXPECT_TRUE(says("Feel a wall"));
   EXPECT_TRUE(says("Español"));
-  click(StageCommand::language);
+  click_on(StageCommand::language);
   EXPECT_TRUE(says("Siente una pared"));
   EXPECT_TRUE(says("English"));
   wait(91.0);
@@ -237,7 +231,7 @@ TEST_F(KioskVisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   // The button is there for them.
   ASSERT_NE(button_for(StageCommand::motors), nullptr) << words();
   const auto& motors = [&]() -> const MotorReport& { return application_->report().motors; };
-  click(StageCommand::motors);
+  click_on(StageCommand::motors);
   frames(30, 400);
   ASSERT_EQ(motors().state, SafetyState::on);
   press(key::page_down);
@@ -259,7 +253,7 @@ TEST_F(KioskVisitWindowTest, MotorsOfADeviceGoOffWhenTheVisitorHasGone) {
   EXPECT_EQ(motors().state, SafetyState::off);
   EXPECT_EQ(motors().reason, OffReason::visitor_gone);
   EXPECT_TRUE(says("nobody there"));
-  click(StageCommand::motors);
+  click_on(StageCommand::motors);
   frames(4, 100);
   EXPECT_EQ(motors().reason, OffReason::none);
   EXPECT_EQ(motors().state, SafetyState::off);

@@ -49,14 +49,6 @@ class LessonWindow : public DrivenWindow {
   const LessonStep& step() { return lesson_step(lesson()); }
   LessonOutcome outcome() { return lesson_step_state(lesson()).outcome; }
 
-  // Once in sight.
-  void click(const StageAction& action) {
-    const auto& buttons = screen().stage().picture().buttons;
-    const auto found = std::ranges::find(buttons, action, &StageButton::action);
-    ASSERT_NE(found, buttons.end());
-    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
-    click_at(middle.x, middle.y);
-  }
   void press_digit(std::size_t answer) { press(key::digit_1 + static_cast<int>(answer)); }
 
   Vector<2> rest() { return stage_moment_at_rest(session().settings, session().goal).handle; }
@@ -99,7 +91,7 @@ class LessonWindow : public DrivenWindow {
       const double wanted = slider_value(*step().slider, solved).value_or(0.0);
       move_lesson_slider(session(), wanted);
     }
-    if (solved.active != session().settings.active) click(StageAction(solved.active));
+    if (solved.active != session().settings.active) click_on(StageAction(solved.active));
     const Settings& now = session().settings;
     const StagePicture& shown = screen().stage().picture();
     if (solved.wall_normal_angle != now.wall_normal_angle) {
@@ -115,7 +107,7 @@ class LessonWindow : public DrivenWindow {
       EXPECT_LT(std::abs(std::remainder(solved.actuated_angle - now.actuated_angle, pi)), 0.5 * std::abs(way))
           << step().name;
     }
-    if (session().stage.mode == StageMode::measure) click(StageCommand::measure);
+    if (session().stage.mode == StageMode::measure) click_on(StageCommand::measure);
     // To the last digit.
     session().settings.actuated_angle = solved.actuated_angle;
     session().settings.wall_normal_angle = solved.wall_normal_angle;
@@ -128,11 +120,11 @@ class LessonWindow : public DrivenWindow {
       case LessonQuestion::none:
         return;
       case LessonQuestion::choose:
-        return click(static_cast<StageAnswer>(step().right_answer));
+        return click_on(static_cast<StageAnswer>(step().right_answer));
       case LessonQuestion::guess:
         ASSERT_TRUE(session().stage.guess);
         drag(on_window(*session().stage.guess), on_window(rest()));
-        return click(StageCommand::next);
+        return click_on(StageCommand::next);
       case LessonQuestion::task:
         return do_task();
     }
@@ -186,7 +178,7 @@ TEST_F(LessonWindow, EachLessonCanBePlayedRightlyWithThePointer) {
       frames(2);
       EXPECT_EQ(outcome(), step().question == LessonQuestion::none ? LessonOutcome::open : LessonOutcome::right);
       arrive();
-      click(StageCommand::next);
+      click_on(StageCommand::next);
       arrive();
     }
     EXPECT_FALSE(session().lesson);
@@ -248,7 +240,7 @@ TEST_F(LessonWindow, ThePickerNeedsNoMouse) {
 
 TEST_F(LessonWindow, OneClickOnTheStageOpensThePicker) {
   open({.face = Face::stage});
-  click(StageCommand::lessons);
+  click_on(StageCommand::lessons);
   EXPECT_EQ(session().dialog, Dialog::lessons);
   press(key::escape);
   EXPECT_EQ(session().dialog, Dialog::none);
@@ -256,7 +248,7 @@ TEST_F(LessonWindow, OneClickOnTheStageOpensThePicker) {
 
 TEST_F(LessonWindow, TheWayOutGivesTheStageBack) {
   begin(shipped_lessons().front());
-  click(StageCommand::leave);
+  click_on(StageCommand::leave);
   EXPECT_FALSE(session().lesson);
   EXPECT_EQ(session().settings, load_scene("wall45").settings);
 }
@@ -411,7 +403,7 @@ TEST_F(LessonWindow, AStepThatSaysWhereTheHandIsBringsItThere) {
   const Vector<2> stated = session().goal;
   drag(on_window(session().goal), on_window({-0.01, -0.05}));
   ASSERT_NE(session().goal, stated);
-  click(StageCommand::next);
+  click_on(StageCommand::next);
   arrive();
   EXPECT_EQ(session().goal, stated);
   const StagePicture& shown = screen().stage().picture();

@@ -54,19 +54,12 @@ TEST_F(StiffnessProbeWindow, AsksForTheWallFirst) {
 }
 
 TEST_F(StiffnessProbeWindow, ItsButtonsDoWhatItsKeysDo) {
-  const auto click = [&](const StageAction& action) {
-    const auto& buttons = screen().stage().picture().buttons;
-    const auto found = std::ranges::find(buttons, action, &StageButton::action);
-    ASSERT_NE(found, buttons.end());
-    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
-    click_at(middle.x, middle.y);
-  };
-  click(StageCommand::menu);
-  click(StageMode::measure);
+  click_on(StageCommand::menu);
+  click_on(StageMode::measure);
   EXPECT_TRUE(probe().is_running());
   measure();
   ASSERT_TRUE(probe().is_known());
-  click(StageCommand::measure);
+  click_on(StageCommand::measure);
   EXPECT_TRUE(stiffness_probe_is_believed(session()));
   press(key::escape);
   EXPECT_EQ(session().stage.mode, StageMode::none);

@@ -209,33 +209,25 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
 }
 
 TEST_F(StageKeysTest, TheMenuOpensWhatHasNoButtonOfItsOwn) {
-  const auto click = [&](const StageAction& action) {
-    const auto& buttons = screen().stage().picture().buttons;
-    const auto found = std::ranges::find(buttons, action, &StageButton::action);
-    ASSERT_NE(found, buttons.end());
-    const Vector<2> middle = 0.5 * (found->box.least + found->box.most);
-    click_at(middle.x, middle.y);
-    frames(2);
-  };
   const auto is_open = [&] { return screen().stage().picture().menu.has_value(); };
-  click(StageCommand::menu);
+  click_on(StageCommand::menu);
   ASSERT_TRUE(is_open());
-  click(StageMode::landscape);
+  click_on(StageMode::landscape);
   EXPECT_EQ(session().stage.mode, StageMode::landscape);
   EXPECT_FALSE(is_open());
   press(key::escape);
   EXPECT_EQ(session().stage.mode, StageMode::none);
-  click(StageCommand::menu);
-  click(StageCommand::palette);
+  click_on(StageCommand::menu);
+  click_on(StageCommand::palette);
   EXPECT_EQ(session().dialog, Dialog::palette);
   press(key::escape);
   frames(2);
-  click(StageCommand::menu);
+  click_on(StageCommand::menu);
   press(key::escape);
   frames(2);
   EXPECT_FALSE(is_open());
   // A press beside it closes it, and moves nothing.
-  click(StageCommand::menu);
+  click_on(StageCommand::menu);
   const Vector<2> before = session().goal;
   click_at(300.0, 400.0);
   frames(2);
