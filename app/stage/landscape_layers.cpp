@@ -214,8 +214,8 @@ void add_landscape(const LandscapeView& view, Marks& marks) {
 namespace {
 
 void add_map(const StageLayer& layer) {
-  const StageContent& content = layer.content;
-  add_landscape(stage_landscape(content, layer.canvas.camera), layer.canvas.marks);
+  const LandscapeRoom room{layer.layout.header_box(), layer.layout.bottom};
+  add_landscape(stage_landscape(layer.content, layer.canvas.camera, room), layer.canvas.marks);
 }
 
 std::string no_sentence(const StageContent& /*content*/) {
@@ -224,7 +224,7 @@ std::string no_sentence(const StageContent& /*content*/) {
 
 }  // namespace
 
-LandscapeView stage_landscape(const StageContent& content, const Camera& camera) {
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera, const LandscapeRoom& room) {
   return {.settings = content.settings,
           .dial = content.landscape_dial,
           .has_every_motor = content.moment.weights[index_of(StrategyId::full)] == 1.0,
@@ -232,7 +232,8 @@ LandscapeView stage_landscape(const StageContent& content, const Camera& camera)
           .theme = content.theme,
           .camera = camera,
           .scale = content.scale,
-          .measure = content.measure};
+          .measure = content.measure,
+          .room = room};
 }
 
 const StageModeLayers landscape_layers{StageMode::landscape, add_map, no_sentence};

@@ -10,13 +10,13 @@ namespace {
 
 // All of these in em, but for the shares of the picture.
 constexpr double least_width = 39.7;   // of a picture in which every word finds its place,
-constexpr double least_height = 22.1;  // as the numbers below add up
+constexpr double least_height = 17.0;  // between header and buttons, as the numbers below add up
 constexpr double ems_in_height = 30.0;
-constexpr double buttons_share = 0.16;  // of the height
-constexpr double header_share = 0.085;
-constexpr double header_width_share = 0.72;  // of the height, too
+constexpr double most_header_share = 0.4;  // of the height
+constexpr double least_bottom_share = 0.6;
 constexpr double margin = 1.2;
-constexpr double breath = 0.15;
+constexpr double below_header = 1.0 / 30.0;
+constexpr double above_buttons = 0.7;
 constexpr NumberRange column_width{13.0, 20.0};
 constexpr double column_share = 0.3;     // of the width
 constexpr double left_of_map = 3.35;     // the numbers of κ
@@ -29,26 +29,29 @@ constexpr double widest_dial = 16.0;
 
 }  // namespace
 
-LandscapeLayout landscape_layout(const Vector<2>& size, double unit) noexcept {
+LandscapeLayout landscape_layout(const Vector<2>& size, double unit, const LandscapeRoom& room) noexcept {
   LandscapeLayout layout;
   // False for a NaN.
   for (const glm::length_t axis : {0, 1}) layout.size[axis] = size[axis] >= 1.0 ? std::min(size[axis], 1e6) : 1.0;
   const double width = layout.size.x;
   const double height = layout.size.y;
-  const double greatest = std::min(width / least_width, height / least_height);
+  // The first of two for a NaN. Some map is left in any picture.
+  const double header_end = std::min(most_header_share * height, std::max(0.0, room.header.most.y));
+  const double rows = std::min(height, std::max(least_bottom_share * height, room.bottom));
+  const double greatest = std::min(width / least_width, (rows - header_end) / least_height);
   const double em = std::clamp(unit > 0.0 ? unit * height / ems_in_height : greatest, 0.01 * greatest, greatest);
   layout.em = em;
   layout.ring_radius = 0.6 * em;
   layout.knob_radius = 0.7 * em;
-  const double bottom = (1.0 - buttons_share) * height - breath * em;
-  const double below_header = header_share * height + breath * em;
+  const double bottom = rows - above_buttons * em;
+  const double top = header_end + below_header * em;
 
   const double column_right = (margin + column_width.nearest_to(column_share * width / em)) * em;
-  const bool is_under_header = column_right > width - header_width_share * height;
-  layout.column = {{margin * em, is_under_header ? below_header : 0.9 * em}, {column_right, bottom}};
+  const bool is_under_header = column_right > room.header.least.x;
+  layout.column = {{margin * em, is_under_header ? top : 0.9 * em}, {column_right, bottom}};
 
-  layout.axis_title_top = below_header;
-  layout.map.least = {column_right + left_of_map * em, below_header + (line_height + beside_map) * em};
+  layout.axis_title_top = top;
+  layout.map.least = {column_right + left_of_map * em, top + (line_height + beside_map) * em};
   layout.map.most.x = width - right_of_map * em;
   const double lines_below = layout.map.extent().x < one_line_title * em ? 3.0 : 2.0;  // numbers and title
   layout.map.most.y = bottom - (lines_below * line_height + beside_map + 0.1) * em;

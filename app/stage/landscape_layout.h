@@ -1,7 +1,7 @@
 // Where the landscape's map, its dial and its words lie in a picture: what is drawn and what the pointer takes hold of
 // come from here. Screen points, y down. Pure, any thread; finite for any size.
 //
-// The lower 0.16 of the height stays free, for the stage's buttons, and so does the upper right corner.
+// All of it stays clear of what the stage has round it: above at the right, and below.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,12 @@
 
 namespace ghostforce {
 
+// What the stage leaves to the landscape [points].
+struct LandscapeRoom {
+  ScreenBox header;     // stands above at the right, up to the edges
+  double bottom = 0.0;  // where the buttons begin
+};
+
 // All that is needed to draw one picture of the landscape. Read only.
 struct LandscapeView {
   const Settings& settings;
@@ -25,6 +31,7 @@ struct LandscapeView {
   Camera camera;
   double scale;  // UI scale, 1 is normal
   const MeasureText& measure;
+  LandscapeRoom room;
 };
 
 // In em: a line of text, from the highest to the lowest letter; and from the map's frame to its numbers, so that the
@@ -45,10 +52,10 @@ struct LandscapeLayout {
 };
 
 // `unit`: the UI scale times the theme's thickness. Pictures that are narrower than 4:3 have smaller letters.
-LandscapeLayout landscape_layout(const Vector<2>& size, double unit) noexcept;
+LandscapeLayout landscape_layout(const Vector<2>& size, double unit, const LandscapeRoom& room) noexcept;
 // As add_landscape() draws it.
 inline LandscapeLayout landscape_layout(const LandscapeView& view) noexcept {
-  return landscape_layout(view.camera.size, view.scale * view.theme.thickness);
+  return landscape_layout(view.camera.size, view.scale * view.theme.thickness, view.room);
 }
 
 // The nearest place on the map, for a set-up that lies beyond it.

@@ -96,7 +96,7 @@ StageReading stage_reading(const StageContent& content) {
     }
   } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
     // The map has its verdict in place of a sentence.
-    reading.sentence = landscape_sentence(stage_landscape(content, {}));
+    reading.sentence = landscape_sentence(stage_landscape(content, {}, {}));
   }
   const bool is_asked = content.mode == StageMode::predict && content.guess.is_open;
   if (is_asked || hides.numbers || hides.handle) return reading;
@@ -143,10 +143,14 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (content.may_turn_motor) picture.motor_grips = grips.motor;
     if (content.may_turn_wall) picture.wall_grips = grips.wall;
   }
-  if (is_map) picture.landscape = landscape_layout(stage_landscape(content, camera));
+  if (is_map)
+    picture.landscape = landscape_layout(stage_landscape(content, camera, {layout.header_box(), layout.bottom}));
   if (!has_buttons) return picture;
-  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.menu}) {
+  for (const auto* const buttons : {&layout.strategies, &layout.header}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
+  }
+  for (const StageMenuRow& row : layout.menu) {
+    picture.buttons.push_back({row.action, row.box, std::string(row.title)});
   }
   for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
     if (*button) picture.buttons.push_back(**button);

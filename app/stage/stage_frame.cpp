@@ -155,10 +155,8 @@ void add_menu(const StageLayer& layer) {
   const double padding = canvas.points(menu_padding);
   take_words_away(layer, layout.menu_box.grown(canvas.points(air_round_panel)));
   canvas.box(Role::button, layout.menu_box, canvas.points(10.0), theme.panel, theme.panel_border, canvas.width(2.0));
-  const std::vector<StageMenuRow> rows = stage_menu(content.language, content.keys);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const StageMenuRow& row = rows[i];
-    const ScreenBox& box = layout.menu[i].box;
+  for (const StageMenuRow& row : layout.menu) {
+    const ScreenBox& box = row.box;
     const bool is_hot = is_hovered(content, row.action);
     if (is_hot) canvas.box(Role::button, box, canvas.points(8.0), theme.panel_field, theme.panel_field, 0.0);
     const bool is_on = row.action == StageAction(content.mode);

@@ -61,7 +61,7 @@ extern const StageModeLayers measure_layers;
 
 // All things of the scene and the words beside them.
 void add_whole_scene(const StageLayer& layer);
-LandscapeView stage_landscape(const StageContent& content, const Camera& camera);
+LandscapeView stage_landscape(const StageContent& content, const Camera& camera, const LandscapeRoom& room);
 // "ghost 1.27 N", or without the number where it is hidden.
 std::string with_number(const StageContent& content, std::string_view words, const std::string& number,
                         std::string_view unit);

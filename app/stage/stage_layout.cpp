@@ -37,11 +37,6 @@ constexpr std::size_t most_lines = 3;
 constexpr std::size_t most_lesson_lines = 4;
 constexpr double mark_room = 44.0;  // of a lesson's mark before its text
 
-// The longest that the stage has to say: letters must be small enough for it, so that they do not change with it.
-std::string_view longest_sentence(const StageLanguage& language) {
-  return std::ranges::max(words_of(language.sentences), {}, &std::string_view::size);
-}
-
 // Whole points: the letters that are painted then are as they were made.
 StageLetters letters_at(double unit, double longer_text_em) {
   const auto style = [&](double em, bool is_bold) { return TextStyle{std::ceil(em * line_of_em * unit), is_bold}; };
@@ -49,10 +44,26 @@ StageLetters letters_at(double unit, double longer_text_em) {
           style(unit_em, false)};
 }
 
+// Of those that may stand where the sentence does: letters must be small enough for it, so that they do not change with
+// what is said.
+std::string_view longest_text(const MeasureText& measure, const StageFrameWords& words) {
+  if (words.lesson != nullptr) return words.lesson->longest_text;
+  const TextStyle style = letters_at(1.0, sentence_em).sentence;
+  return std::ranges::max(words_of(words.language.sentences), {},
+                          [&](std::string_view sentence) { return measure(sentence, style).x; });
+}
+
+// What is the same at every size.
+struct StageTexts {
+  std::string_view longest;
+  std::vector<StageMenuRow> menu;  // empty: it is closed
+};
+
 class Arrangement {
  public:
-  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words)
-      : measure_(measure), words_(words) {
+  Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words,
+              const StageTexts& texts)
+      : measure_(measure), words_(words), texts_(texts) {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
     layout_.margin = points(edge_margin);
@@ -71,7 +82,7 @@ class Arrangement {
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
-    const bool sentence_fits = lines(longest_text(), mark_width(true)).size() <= most;
+    const bool sentence_fits = lines(texts_.longest, mark_width(true)).size() <= most;
     const double block_height =
         layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
@@ -93,7 +104,7 @@ class Arrangement {
     layout_.sentence_box.most =
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
-    const std::size_t most = std::max(layout_.sentence.size(), lines(longest_text(), mark_width(true)).size());
+    const std::size_t most = std::max(layout_.sentence.size(), lines(texts_.longest, mark_width(true)).size());
     layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
@@ -105,11 +116,6 @@ class Arrangement {
 
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
-
-  // Of those that may stand where the sentence does.
-  std::string_view longest_text() const {
-    return words_.lesson != nullptr ? std::string_view(words_.lesson->longest_text) : longest_sentence(words_.language);
-  }
 
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
@@ -136,15 +142,14 @@ class Arrangement {
     }
     std::ranges::reverse(layout_.header);
     layout_.header_left = layout_.header.front().box.least.x;
-    layout_.menu.clear();
-    if (words_.shows_menu) arrange_menu();
+    layout_.menu = texts_.menu;
+    if (!layout_.menu.empty()) arrange_menu();
   }
 
   void arrange_menu() {
     double words = 0.0;
     double keys = 0.0;
-    const std::vector<StageMenuRow> rows = stage_menu(words_.language, words_.keys);
-    for (const StageMenuRow& row : rows) {
+    for (const StageMenuRow& row : layout_.menu) {
       words = std::max(words, measure_(row.title, layout_.letters.words).x);
       keys = std::max(keys, measure_(row.key, layout_.letters.words).x);
     }
@@ -153,10 +158,9 @@ class Arrangement {
     double top = button.most.y + points(header_gap);
     layout_.menu_box = {{button.most.x - width, top}, {button.most.x, top}};
     top += points(header_gap);
-    for (const StageMenuRow& row : rows) {
+    for (StageMenuRow& row : layout_.menu) {
       const double bottom = top + points(menu_row_height);
-      layout_.menu.push_back(
-          {row.action, {{layout_.menu_box.least.x, top}, {button.most.x, bottom}}, std::string(row.title)});
+      row.box = {{layout_.menu_box.least.x, top}, {button.most.x, bottom}};
       top = bottom;
     }
     layout_.menu_box.most.y = top + points(gap) + menu_lines * layout_.letters.words.height;
@@ -221,6 +225,7 @@ class Arrangement {
 
   const MeasureText& measure_;
   const StageFrameWords& words_;
+  const StageTexts& texts_;
   StageLayout layout_;
 };
 
@@ -230,9 +235,11 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
                          const StageFrameWords& words) {
   constexpr double step = 0.97;
   constexpr int most_steps = 100;
+  const StageTexts texts{longest_text(measure, words),
+                         words.shows_menu ? stage_menu(words.language, words.keys) : std::vector<StageMenuRow>()};
   const auto scale_after = [&](int steps) { return scale * std::pow(step, steps); };
   const auto fits = [&](int steps, bool in_full) {
-    return Arrangement(size, scale_after(steps), measure, words).arrange(in_full);
+    return Arrangement(size, scale_after(steps), measure, words, texts).arrange(in_full);
   };
   // The first that fits.
   int too_large = -1;
@@ -245,9 +252,17 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
     const int between = (too_large + fitting) / 2;
     (fits(between, false) ? fitting : too_large) = between;
   }
-  Arrangement arrangement(size, scale_after(fitting), measure, words);
+  Arrangement arrangement(size, scale_after(fitting), measure, words, texts);
   if (!arrangement.arrange(true)) arrangement.arrange(false);
   return arrangement.finished();
+}
+
+double scale_over_stage(const Vector<2>& size, double scale) noexcept {
+  constexpr double room_of_dialogs = 640.0;  // at a scale of 1 all dialogs fit into a square of that side [points]
+  constexpr double steps = 15.0;             // to 1, as the letters of a dialog are high: a whole point each
+  const double grown = std::min(scale * size.y / height_of_design, std::min(size.x, size.y) / room_of_dialogs);
+  constexpr double rounding = 1e-6;
+  return std::max(scale, std::floor(steps * grown + rounding) / steps);
 }
 
 StageLayout bare_stage_layout(const Vector<2>& size, double scale) {

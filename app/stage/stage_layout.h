@@ -18,6 +18,11 @@ inline constexpr double height_of_design = 720.0;
 
 StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words);
 
+// The UI scale of what lies over the stage, such as dialogs: it grows with the window's height as the stage's letters
+// do, as far as dialogs have room. Not below `scale`, and in steps, so that a window that is being resized needs other
+// letters only now and then.
+double scale_over_stage(const Vector<2>& size, double scale) noexcept;
+
 // The same for a scene without sentence, numbers and buttons, which then has all of the picture.
 StageLayout bare_stage_layout(const Vector<2>& size, double scale);
 
@@ -28,13 +33,7 @@ Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);
 
-// The menu: modes that have no button of their own, and the ways to everything else.
-struct StageMenuRow {
-  StageAction action;
-  std::string_view title;
-  std::string_view key;  // as printed on it
-  std::string_view about;
-};
+// The menu's rows, without their places.
 std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys);
 
 }  // namespace ghostforce

@@ -2,6 +2,7 @@
 // what the stage shows of measuring the hand. Values, read only; points of the window, y down; any thread.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -65,6 +66,15 @@ struct StageButton {
   std::string words;
 };
 
+// Of the menu: modes that have no button of their own, and the ways to everything else.
+struct StageMenuRow {
+  StageAction action;
+  std::string_view title;
+  std::string_view key;  // as printed on it
+  std::string_view about;
+  ScreenBox box{};
+};
+
 // The sizes of the stage's letters [points].
 struct StageLetters {
   TextStyle words;
@@ -85,7 +95,7 @@ struct StageLayout {
   std::optional<ScreenBox> mark;         // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;   // the row below
   std::vector<StageButton> header;       // above at the right; of a lesson the way out at most, without words
-  std::vector<StageButton> menu;         // below the last of these, while it is open; its rows
+  std::vector<StageMenuRow> menu;        // below the last of these, while it is open
   ScreenBox menu_box;                    // round them
   std::optional<StageButton> corner;     // at the row's other end
   std::optional<StageButton> measuring;  // above it, or in a lesson's row
@@ -103,6 +113,13 @@ struct StageLayout {
 
   // The end of what stands above at the right.
   const ScreenBox& header_end() const noexcept { return lesson ? lesson->corner : header.back().box; }
+  // All of that, up to the window's edges.
+  ScreenBox header_box() const noexcept {
+    const double end = lesson           ? std::max(lesson->corner.most.y, lesson->title_box.most.y)
+                       : header.empty() ? 0.0
+                                        : header.back().box.most.y;
+    return {{header_left, 0.0}, {size.x, end}};
+  }
 
   // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }

@@ -38,11 +38,14 @@ struct Picture {
 
   void compose() {
     camera.size = size;
-    const LandscapeView view{settings, dial, false, *language, *find_theme(theme), camera, scale, measure};
+    const LandscapeView view{settings, dial, false, *language, *find_theme(theme), camera, scale, measure, room()};
     layout = landscape_layout(view);
     marks.clear();
     add_landscape(view, marks);
   }
+
+  // As the stage has it.
+  LandscapeRoom room() const { return {{{size.x - 0.66 * size.y, 0.0}, {size.x, 0.0889 * size.y}}, 0.858 * size.y}; }
 
   struct Words {
     std::string text;
@@ -97,8 +100,8 @@ bool cover_each_other(const ScreenBox& a, const ScreenBox& b) {
 
 void expect_readable(const Picture& picture, const std::string& where) {
   const Vector<2> size = picture.size;
-  const ScreenBox header{{size.x - 0.72 * size.y, 0.0}, {size.x, 0.085 * size.y}};
-  const ScreenBox buttons{{0.0, 0.84 * size.y}, size};
+  const ScreenBox header = picture.room().header;
+  const ScreenBox buttons{{0.0, picture.room().bottom}, size};
   std::vector<ScreenBox> marks = picture.discs(Role::handle);
   ASSERT_EQ(marks.size(), 2U) << "the ring and what sets it off";
   std::ranges::copy(picture.discs(Role::button), std::back_inserter(marks));
