@@ -42,7 +42,7 @@ std::vector<ClipMoment> clip_moments(const MomentHistory& moments, const SaveCli
 void ClipSaving::begin(const SaveClip& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
                        const FilePainter& painter, std::string_view text) {
   if (is_running()) {
-    throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete, or close its notice.");
+    throw Failure(ExitCode::wrong_call, "Another clip is being saved. Wait until it is complete.");
   }
   auto work = std::make_unique<Work>(Work{.moments = clip_moments(moments, request),
                                           .look = look,
@@ -65,7 +65,7 @@ void ClipSaving::begin(const SaveClip& request, const Scene& scene, const Moment
   path_ = request.path;
   count_ = work->moments.size();
   problem_.clear();
-  is_told_ = false;
+  is_told_ = is_closed_ = false;
   work_ = std::move(work);
   worker_.emplace("clip", 0.0, [this] { return save_next(); });
 }
@@ -74,7 +74,7 @@ bool ClipSaving::save_next() noexcept {
   try {
     if (save_next_of(*work_)) return true;
   } catch (const ClipCancelled&) {
-    problem_ = filled(work_->look.language->notices.not_saved, quoted_text(path_, longest_path));
+    // The program ends: there is nobody to tell.
   } catch (const Failure& failure) {
     problem_ = failure.what();
   } catch (const std::bad_alloc&) {
@@ -117,15 +117,15 @@ void ClipSaving::poll(Session& session) {
   const StageLanguage::Notices& words = stage_language(session.language).notices;
   if (!worker_->is_running()) {
     worker_.reset();
-    if (!problem_.empty()) return tell(session, problem_, !is_cancelled_);
+    if (!problem_.empty()) return tell(session, problem_, true);
     hand_out(path_);
     return tell(session, filled(words.saved, path), false);
   }
   const bool is_mine = session.notice && session.notice->words == told_;
-  if (is_told_ && !session.notice) is_cancelled_ = true;
+  if (is_told_ && !session.notice) is_closed_ = true;
   // Something else is told meanwhile.
   if (session.notice && !is_mine) is_told_ = false;
-  if (is_cancelled_ || (session.notice && !is_mine)) return;
+  if (is_closed_ || (session.notice && !is_mine)) return;
   constexpr std::size_t step = 5;  // not every picture is worth a new frame
   const std::size_t percent = 100 * saved_ / count_ / step * step;
   tell(session, filled(words.saving, path, percent), false);

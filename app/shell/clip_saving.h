@@ -35,8 +35,8 @@ class ClipSaving {
   void begin(const SaveClip& request, const Scene& scene, const MomentHistory& moments, StageClipLook look,
              const FilePainter& painter, std::string_view text);
 
-  // Often: tells the person in the session's notice how far it is and how it has ended. Where that notice was closed
-  // the clip is given up.
+  // Often: tells the person in the session's notice how far it is and how it has ended. Whoever closes that notice
+  // hears of the end alone.
   void poll(Session& session);
 
   bool is_running() const noexcept { return worker_.has_value(); }
@@ -60,6 +60,7 @@ class ClipSaving {
   std::size_t count_ = 0;  // of pictures
   std::string told_;       // the words of the newest notice
   bool is_told_ = false;   // that is still the session's, as far as is known
+  bool is_closed_ = false;
 
   std::atomic<std::size_t> saved_{0};
   std::atomic<bool> is_cancelled_{false};
