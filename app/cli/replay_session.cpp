@@ -51,7 +51,7 @@ std::string play_in_window(SessionReplay& replay, const Application& application
     replay.step();
     if (result.empty() && replay.is_over()) {
       result = replay.result();
-      say("This is the end of the session. Close the window.\n");
+      say("This is the end of the session. Everything is yours now, until you close the window.\n");
     }
     const double passed_s = std::chrono::duration<double>(Clock::now() - began).count();
     window.poll(std::max(0.0, application.clock_s() - passed_s));
@@ -100,8 +100,8 @@ std::function<int()> attach_replay_session(CLI::App& command, FileOptions& files
   command.add_flag("--headless", options->is_headless,
                    "Without a display and as fast as it goes; the result is the line that is printed");
   command.footer(
-      "Opens the window as it was and does again what was done in it, in its own time; at the end the picture stays\n"
-      "until you close the window. No file is written, nothing is copied, and no device moves: motors are simulated.\n"
+      "Opens the window as it was and does again what was done in it, in its own time; then you can go on from\n"
+      "there until you close the window. The replay writes no file and copies nothing, and motors are simulated.\n"
       "Then one line says how many actions were done, refused and left out, and what stands on the screen, as a "
       "set-up\n"
       "that 'ghostforce run' takes. With --headless the same file always gives the same line.\n"

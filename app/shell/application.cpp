@@ -232,6 +232,7 @@ void Application::update(double interval_s) {
   }
   session_.time_s = report_.snapshot.time_s;
   follow_measurement(session_, report_.snapshot, report_.motors);
+  session_.has_motors = report_.motors.has_motors;
   session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
   follow_stiffness_probe(session_, report_.snapshot, report_.motors, report_.hand);
   follow_lesson_in_session(interval_s);
@@ -294,7 +295,9 @@ void Application::draw() {
 }
 
 void Application::hear(const Action& action) {
-  if (!is_replay_ || std::holds_alternative<Quit>(action)) act(action);
+  if (is_replay_ && !std::holds_alternative<Quit>(action)) return;
+  replay_place_.reset();  // whoever goes on has read that it is over
+  act(action);
 }
 
 void Application::act(const Action& action) {

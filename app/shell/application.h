@@ -52,7 +52,7 @@ struct ApplicationOptions {
   std::string shader_folder{};  // empty: the embedded shaders, not watched
   // Hears what the person does, before it is done, and when; may be empty. `time_s`: as clock_s().
   std::function<void(double time_s, const Action& action)> watch_actions{};
-  bool is_replay = false;  // who sits at the window only watches, and may close it
+  bool is_replay = false;  // who sits at the window only watches, and may close it, until the replay is over
 };
 
 // Of the window in which the scene is.
@@ -117,8 +117,11 @@ class Application {
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem);
 
-  // The person sees a replay, which is as far as that.
-  void show_replay_place(const ReplayPlace& place) noexcept { replay_place_ = place; }
+  // The person sees a replay, which is as far as that. When it is over, they have the window to themselves.
+  void show_replay_place(const ReplayPlace& place) noexcept {
+    replay_place_ = place;
+    is_replay_ = !place.is_over;
+  }
 
   // Time stands still: there will be something to draw when the person does something, and else hardly ever.
   bool is_idle() const { return session_.paused && link_->is_idle() && !needs_drawing(); }

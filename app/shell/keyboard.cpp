@@ -125,7 +125,7 @@ void Keyboard::take(Window& window, const Session& session, const ActionSink& ap
   }
   // Whatever waits, this does not.
   const auto turns_off = [](const KeyEvent& event) { return event.is_down && event.press.key == key::escape; };
-  if (std::ranges::any_of(events, turns_off)) apply(StopMotors{});
+  if (session.has_motors && std::ranges::any_of(events, turns_off)) apply(StopMotors{});
 }
 
 void Keyboard::act(const KeyEvent& event, const Session& session, const ActionSink& apply) {
@@ -137,10 +137,10 @@ void Keyboard::act(const KeyEvent& event, const Session& session, const ActionSi
     Window::hand_on(event);
     wait(focus_moves);
     const bool leaves_dialog = session.dialog != Dialog::none && !is_menu_open();
-    const bool leaves_control = is_menu_open() || is_typing() || has_focus();
+    const bool leaves_control = is_menu_open() || is_typing();
+    if (!leaves_dialog) leave_focus();
     if (leaves_dialog || !leaves_control) return act_on_table(press, session, false, apply);
-    apply(StopMotors{});
-    leave_focus();
+    if (session.has_motors) apply(StopMotors{});
     return;
   }
   if (press.key == key::tab) {

@@ -7,6 +7,7 @@
 #include "app/paint/label_painter.h"
 #include "app/picture/screen_box.h"
 #include "app/shell/window.h"
+#include "app/stage/stage_layout.h"
 #include "app/widgets/focus.h"
 #include "app/widgets/pointing.h"
 #include "app/widgets/style.h"
@@ -53,7 +54,7 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
     return;
   }
   // The style must not change within a frame.
-  apply_appearance(session.appearance);
+  apply_appearance(session);
   window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
 }
 
@@ -85,8 +86,13 @@ Image Screen::picture(const Session& session, const ShownMoment& moment, const H
                  pixels(scene_size_.x), pixels(scene_size_.y));
 }
 
-void Screen::apply_appearance(const Appearance& appearance) {
-  const float scale = static_cast<float>(appearance.scale) * window_.display_scale();
+void Screen::apply_appearance(const Session& session) {
+  const Appearance& appearance = session.appearance;
+  scale_ = appearance.scale * static_cast<double>(window_.display_scale());
+  const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
+  const Vector<2> size{window_.pixel_width() / static_cast<double>(density.x),
+                       window_.pixel_height() / static_cast<double>(density.y)};
+  const auto scale = static_cast<float>(session.face == Face::stage ? scale_over_stage(size, scale_) : scale_);
   if (appearance == styled_appearance_ && scale == styled_scale_) return;
   apply_style(*appearance.theme, scale);
   apply_plot_style(*appearance.theme, scale);
@@ -120,7 +126,7 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     if (const bool is_held = ImGui::IsAnyItemActive(); is_held != session.is_editing) apply(HoldControl{is_held});
     hints_.follow(session);
   }
-  const double text_scale = text_scale_of(session.face, static_cast<double>(styled_scale_), theme);
+  const double text_scale = text_scale_of(session.face, scale_, theme);
   if (session.face == Face::stage && session.stage.is_black && frame.is_live) {
     Theme black = theme;
     black.background = rgb(0x000000);
@@ -132,8 +138,10 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   const Vector<2> corner = vector_of(scene_corner_);
   const ScreenBox scene{corner, corner + scene_size_};
   draw_shader_problem(context, scene);
-  // On the stage between its rows of buttons, so that it covers none of them.
-  draw_notice(context, is_on_stage ? stage_.picture().scene : scene);
+  // On the stage between its rows of buttons, and beside its menu.
+  ScreenBox room = is_on_stage ? stage_.picture().scene : scene;
+  if (const auto& menu = stage_.picture().menu; is_on_stage && menu) room.most.x = menu->least.x;
+  draw_notice(context, room);
   keeps_notice_place_ = !session.notice && notice_place_s_ > 0.0;
   if (keeps_notice_place_) block_place_of_notice();
   draw_dialog(context);
@@ -151,7 +159,7 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
                                .theme = context.theme,
                                .measure = measure_,
                                .size = scene_size_,
-                               .scale = static_cast<double>(context.scale),
+                               .scale = scale_,
                                .has_controls = frame.part == Part::window};
   if (!frame.is_live) {
     panes_ = {stage_.still(context.session, stage_frame).pane};
@@ -164,7 +172,7 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
   if (context.session.stage.is_black) {
     draw_motor_words(context);
   } else {
-    draw_replay_place(context, {static_cast<float>(end.x), static_cast<float>(end.y)});
+    draw_replay_place(context, imgui_vector(end), static_cast<float>(stage_.picture().unit));
   }
   ImGui::End();
   panes_ = {stage_.compose(context.session, stage_frame, frame.interval_s).pane};
@@ -172,15 +180,13 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
 
 StageReading Screen::stage_reading(const Session& session, const ShownMoment& moment, const History& history,
                                    const LoopReading& loop) const {
-  return stage_.reading(session, {moment, history, loop, *session.appearance.theme, measure_, scene_size_,
-                                  static_cast<double>(styled_scale_)});
+  return stage_.reading(session, {moment, history, loop, *session.appearance.theme, measure_, scene_size_, scale_});
 }
 
 std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
                                          const LoopReading& loop, const MeasureText& measure) const {
-  const double scale = static_cast<double>(styled_scale_);
   if (session.face == Face::workbench) {
-    return workbench_.panes_for_file(session, moment, history, loop, measure, scale);
+    return workbench_.panes_for_file(session, moment, history, loop, measure, scale_);
   }
   return {stage_
               .still(session, {.shown = moment,
@@ -189,7 +195,7 @@ std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMome
                                .theme = *session.appearance.theme,
                                .measure = measure,
                                .size = scene_size_,
-                               .scale = scale,
+                               .scale = scale_,
                                .has_controls = false})
               .pane};
 }

@@ -87,7 +87,7 @@ class Screen {
                        const LoopReading& loop, const Frame& frame);
   void draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment, const History& history,
                   const Frame& frame);
-  void apply_appearance(const Appearance& appearance);
+  void apply_appearance(const Session& session);
 
   Window& window_;
   Part part_;
@@ -98,7 +98,8 @@ class Screen {
   Hints hints_;
   StageFace stage_;
   Appearance styled_appearance_{.theme = nullptr};
-  float styled_scale_ = 0.0F;
+  double scale_ = 1.0;         // UI scale, with the display's
+  float styled_scale_ = 0.0F;  // of Dear ImGui; over the stage it grows with the window
   static constexpr double notice_place_lasts_s = 1.0;
   double notice_place_s_ = 0.0;      // for so long the place of a notice that has gone is kept
   bool keeps_notice_place_ = false;  // in the last frame

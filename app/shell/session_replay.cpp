@@ -50,7 +50,10 @@ void SessionReplay::step() {
   while (next_ < session_.actions.size() && session_.actions[next_].time_s <= application_.clock_s()) {
     repeat(session_.actions[next_++].action);
   }
-  application_.show_replay_place({next_, session_.actions.size()});
+  if (!is_told_that_it_is_over_) {
+    is_told_that_it_is_over_ = is_over();
+    application_.show_replay_place({next_, session_.actions.size(), is_over()});
+  }
   application_.draw();
 }
 

@@ -31,7 +31,7 @@ class SessionReplay {
 
   // The next frame, with what was done by then.
   void step();
-  // Whether the session has come to its end. After that frames go on.
+  // Whether the session has come to its end. After that frames go on, and the person may do what they like.
   bool is_over() const;
   const Counts& counts() const noexcept { return counts_; }
 
@@ -44,6 +44,7 @@ class SessionReplay {
   Application& application_;
   const RecordedSession& session_;
   std::size_t next_ = 0;  // of its actions
+  bool is_told_that_it_is_over_ = false;
   Counts counts_;
 };
 

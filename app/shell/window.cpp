@@ -218,6 +218,7 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
   begin_frame(0.0);
   ImGuiIO& io = ImGui::GetIO();
   const ImVec2 pointer = io.MousePos;
+  const ImVec2 scale = io.DisplayFramebufferScale;
   io.DisplayFramebufferScale.x *= static_cast<float>(density);
   io.DisplayFramebufferScale.y *= static_cast<float>(density);
   io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);
@@ -227,6 +228,7 @@ Image Window::picture_of(int density, const std::function<void()>& draw) {
   draw_on_framebuffer();
   Image image = picture();
   io.AddMousePosEvent(pointer.x, pointer.y);
+  io.DisplayFramebufferScale = scale;
   return image;
 }
 

@@ -285,6 +285,8 @@ void act(Session& session, const ArmMotors&) {
 
 void act(Session& session, const StopMotors&) {
   ++session.offs_asked;
+  if (session.has_motors) return;
+  session.notice = Notice{std::string(stage_language(session.language).refusals.no_motors), false, 0.0};
 }
 
 void act(Session& session, const AcknowledgeOff&) {

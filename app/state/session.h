@@ -279,7 +279,8 @@ struct Session {
   std::string input{mouse_hand.name};  // who moves the goal, a name of the input catalog
   bool pointer_moves_goal = true;      // that input follows the mouse
   bool hand_is_simulated = false;      // though that input has motors
-  bool motors_may_push = false;        // that input's; Esc turns them off and does nothing else
+  bool has_motors = false;             // that input
+  bool motors_may_push = false;        // its motors; Esc turns them off and does nothing else
   std::string recording_path;          // in the panel's field; empty: a name is proposed when recording begins
   bool has_handles = false;            // there is a person who can take hold of wall and motor axis
   std::optional<std::size_t> hint;     // offered to somebody who is new here: the number of it in hint_catalog()
@@ -329,6 +330,7 @@ struct RecordingReading {
 struct ReplayPlace {
   std::size_t done = 0;  // of its actions
   std::size_t all = 0;
+  bool is_over = false;  // whoever has watched has the window to themselves now
 };
 
 // What the loop reports about itself, for the status bar.

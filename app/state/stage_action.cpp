@@ -27,15 +27,15 @@ std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& m
 std::optional<Action> action_of_command(StageCommand command, const MotorReport& motors) {
   switch (command) {
     case StageCommand::keys:
-      return OpenDialog{Dialog::help};
+      return ToggleDialog{Dialog::help};
     case StageCommand::palette:
-      return OpenDialog{Dialog::palette};
+      return ToggleDialog{Dialog::palette};
     case StageCommand::link:
       return ShowLink{};
     case StageCommand::motors:
       return action_of_motor_button(motors);
     case StageCommand::lessons:
-      return OpenDialog{Dialog::lessons};
+      return ToggleDialog{Dialog::lessons};
     case StageCommand::previous:
       return PreviousStep{};
     case StageCommand::next:

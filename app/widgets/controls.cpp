@@ -42,6 +42,11 @@ void wrapped_text(std::string_view words, float end) {
   symbol_text(words, std::max(1.0F, right - ImGui::GetCursorPosX()));
 }
 
+float letters_for(const std::string& words, ImFont* font, float room, float height) {
+  const float width = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str()).x;
+  return width <= room ? height : height * room / width;
+}
+
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill) {
   const ImU32 colour = packed(fill);
   switch (shape) {

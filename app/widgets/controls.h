@@ -21,6 +21,9 @@ void text_in(ImFont* font, std::string_view words);
 void text_in(Colour colour, std::string_view words);
 void wrapped_text(std::string_view words, float end = 0.0F);
 
+// How high letters may be so that the words have room; not above `height` [points].
+float letters_for(const std::string& words, ImFont* font, float room, float height);
+
 // ● ◆ ▲ as the scene draws them.
 void draw_glyph(ImDrawList& draw_list, ImVec2 center, float radius, Shape shape, Colour fill);
 

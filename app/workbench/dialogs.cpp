@@ -120,14 +120,18 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   const ImVec2 size = imgui_vector(scene.extent());
   const float scale = context.scale;
   const float width = std::min(620.0F * scale, size.x - 32.0F * scale);
-  // To the right: the legend is on the left.
-  // It is read and closed: plots may have left the scene too low for it.
   const float margin = 14.0F * scale;
-  const float whole = ImGui::GetIO().DisplaySize.y;
-  const float top = std::min(corner.y + margin, 0.5F * whole);
-  ImGui::SetNextWindowPos({corner.x + size.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
-  ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F},
-                                      {width, std::min(std::max(0.6F * size.y, 0.4F * whole), whole - top - margin)});
+  // To the right: the legend is on the left.
+  const float right = corner.x + size.x - margin;
+  if (const float room = size.y - 2.0F * margin; room >= 90.0F * scale) {
+    ImGui::SetNextWindowPos({right, corner.y + margin}, ImGuiCond_Always, {1.0F, 0.0F});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, room});
+  } else {
+    // Plots have left the scene too low for it: it lies on them, between their buttons and the bar at the bottom.
+    const float bottom = ImGui::GetIO().DisplaySize.y - 32.0F * scale - margin;
+    ImGui::SetNextWindowPos({right, bottom}, ImGuiCond_Always, {1.0F, 1.0F});
+    ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {width, 110.0F * scale});
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 2.0F * scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * scale);
   ImGui::PushStyleColor(ImGuiCol_Border,

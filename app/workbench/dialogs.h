@@ -23,7 +23,7 @@ struct ScrollStep {
 };
 void scroll(Dialog dialog, const ScrollStep& step);
 
-// What there is to tell, if anything, at the top of the scene.
+// What there is to tell, if anything, at the top of the scene. It covers no button.
 void draw_notice(const PanelContext& context, const ScreenBox& scene);
 
 // Where the last notice was, nothing is seen, and no press comes through to the scene.

@@ -26,12 +26,6 @@ bool may_push(const MotorReport& motors) noexcept {
   return motors.has_motors && (are_on || motors.may_still_push);
 }
 
-// As large as fits.
-float letters_for(const std::string& words, ImFont* font, float room, float height) {
-  const float width = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str()).x;
-  return width <= room ? height : height * room / width;
-}
-
 }  // namespace
 
 float motor_button_room(const PanelContext& context) {

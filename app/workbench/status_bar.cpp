@@ -64,23 +64,26 @@ std::string shortened(const std::string& text, float room) {
 
 // Empty: this is no replay.
 std::string replay_words(const LoopReading& loop, const StageLanguage& language) {
-  return loop.replay ? filled(language.notices.replay, loop.replay->done, loop.replay->all) : std::string();
+  if (!loop.replay) return {};
+  if (loop.replay->is_over) return std::string(language.notices.replay_over);
+  return filled(language.notices.replay, loop.replay->done, loop.replay->all);
 }
 
 }  // namespace
 
-void draw_replay_place(const PanelContext& context, ImVec2 end) {
+void draw_replay_place(const PanelContext& context, ImVec2 end, float unit) {
   const std::string words = replay_words(context.loop, stage_language(context.session.language));
   if (words.empty()) return;
-  const float height = ImGui::GetFontSize();
-  const ImVec2 extent = context.fonts.regular->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());
-  const float padding = 6.0F * context.scale;
-  const float margin = 14.0F * context.scale;
+  const float padding = 10.0F * unit;
+  const float margin = 14.0F * unit;
+  const float height = letters_for(words, context.fonts.bold, end.x - 2.0F * (margin + padding), 28.0F * unit);
+  const ImVec2 extent = context.fonts.bold->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());
   const ImVec2 most{end.x - margin, end.y - margin};
   const ImVec2 corner{most.x - extent.x - 2.0F * padding, most.y - extent.y - 2.0F * padding};
   ImDrawList& draw_list = *ImGui::GetWindowDrawList();
-  draw_list.AddRectFilled(corner, most, packed(context.theme.panel), padding);
-  draw_list.AddText(context.fonts.regular, height, {corner.x + padding, corner.y + padding}, packed(context.theme.text),
+  draw_list.AddRectFilled(corner, most, packed(context.theme.panel_field), padding);
+  draw_list.AddRect(corner, most, packed(context.theme.accent), padding, 0, 2.0F * unit);
+  draw_list.AddText(context.fonts.bold, height, {corner.x + padding, corner.y + padding}, packed(context.theme.text),
                     words.c_str());
 }
 

@@ -156,6 +156,7 @@ TEST_F(KeyboardTest, TwoQuickUndosUndoTwice) {
 }
 
 TEST_F(KeyboardTest, EscapeTurnsMotorsOffHoweverMuchWaitsBeforeIt) {
+  open({.input = "virtual-falcon"});
   const std::uint32_t before = session().offs_asked;
   for (int i = 0; i < 10; ++i) send({key::tab});
   send({key::escape});

@@ -77,6 +77,19 @@ TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_FALSE(now().measured);
 }
 
+TEST_F(RehearsalWindow, EscTurnsTheMotorsOffFromWithinThePaletteToo) {
+  turn_on();
+  press(key::p, modifier::control);
+  ASSERT_EQ(session().dialog, Dialog::palette);
+  type("landscape");
+  press(key::escape);
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  EXPECT_EQ(motors().reason, OffReason::key);
+  EXPECT_EQ(session().dialog, Dialog::palette) << "a second one closes it";
+  press(key::escape);
+  EXPECT_EQ(session().dialog, Dialog::none);
+}
+
 TEST_F(RehearsalWindow, AFrameRoundTheSceneAndAFilledButtonSayThatMotorsMayPush) {
   EXPECT_TRUE(application_->input_link().is_opening()) << "late ticks do not count yet";
   get_ready();

@@ -133,8 +133,30 @@ TEST_F(SessionReplayTest, SaysHowFarItIsOnBothFaces) {
   EXPECT_TRUE(says(fmt::format("repetición: {} de {}", done, all)));
   replay_whole();
   ASSERT_EQ(session().face, Face::workbench);
-  EXPECT_TRUE(says(fmt::format("replay: {} of {}", all, all)));
+  EXPECT_TRUE(says("The replay is over. Everything is yours again."));
   EXPECT_FALSE(session().notice);
+  press(key::f4);
+  EXPECT_EQ(session().face, Face::stage) << "and so it is";
+  EXPECT_FALSE(says("repetición")) << "whoever goes on has read it";
+}
+
+TEST_F(SessionReplayTest, SaysItInLettersAsLargeAsTheStages) {
+  ApplicationOptions options{.face = Face::stage};
+  options.language = "es";
+  for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{640, 700}, std::pair{2560, 1440}}) {
+    std::filesystem::remove(path_);
+    open_recorded(path_, options, "wall45", width, height);
+    frames(3);
+    open_replayed(recorded());
+    replay_whole();
+    const std::vector<ScreenWords> all = words_on_screen();
+    const auto found = std::ranges::find_if(
+        all, [](const ScreenWords& words) { return words.text.starts_with("La repetición ha terminado."); });
+    ASSERT_NE(found, all.end()) << width;
+    EXPECT_TRUE(found->clip.Contains(found->ink)) << width;
+    const double letters = 28.0 * screen().stage().picture().unit;
+    EXPECT_GT(static_cast<double>(found->ink.GetHeight()), 0.6 * letters) << width;
+  }
 }
 
 TEST_F(SessionReplayTest, WhatIsPastedIsInTheFile) {

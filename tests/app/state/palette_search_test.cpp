@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -69,6 +70,22 @@ TEST(PaletteSearch, FindsInBothLanguagesWhatPeopleLookFor) {
     }
     ASSERT_FALSE(found.empty()) << c.sought;
     EXPECT_EQ(entries[found.front()].words, (stage_language(c.language).actions.*c.wanted).words) << c.sought;
+  }
+}
+
+TEST(PaletteSearch, FindsHowToHideTheNumbersByAnyOfTheseWords) {
+  using Words = std::vector<const char*>;
+  Session session = session_of(load_scene("wall45"));
+  for (const auto& [language, all] :
+       {std::pair{"en", Words{"number", "numbers", "hide", "ask", "audience"}},
+        std::pair{"es", Words{"numero", "números", "ocultar", "esconder", "preguntar", "cifras"}}}) {
+    session.language = language;
+    const std::vector<PaletteEntry> entries = palette_catalog(session, {});
+    for (const char* const sought : all) {
+      const Numbers found = find_in_palette(entries, sought);
+      ASSERT_FALSE(found.empty()) << sought;
+      EXPECT_TRUE(std::holds_alternative<ToggleNumbers>(entries[found.front()].action)) << sought;
+    }
   }
 }
 
