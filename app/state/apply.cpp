@@ -285,8 +285,7 @@ void act(Session& session, const ArmMotors&) {
 
 void act(Session& session, const StopMotors&) {
   ++session.offs_asked;
-  if (session.has_motors) return;
-  session.notice = Notice{std::string(stage_language(session.language).refusals.no_motors), false, 0.0};
+  if (!session.has_motors) session.notice = Notice{std::string(stage_language(session.language).refusals.no_motors)};
 }
 
 void act(Session& session, const AcknowledgeOff&) {

@@ -90,21 +90,29 @@ void draw_dialog(const PanelContext& context) {
   if (form.belongs_to != session.dialog && form.belongs_to != Dialog::none) form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
   const float margin = 16.0F * context.scale;
-  // The steps speak of what happens in the scene: it stays out of its way.
+  const std::string title = std::string(title_in(stage_language(session.language), entry->id)) + entry->title;
+  // Of the bar, or the stage's sentence and buttons, which grow with the window.
+  const bool is_on_stage = session.face == Face::stage;
+  const float bar = is_on_stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
   float top = margin;
   if (entry->is_at_the_side) {
-    // Below the bar, or the stage's sentence and buttons, which grow with the window.
-    top = session.face == Face::stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
+    // The steps speak of what happens in the scene: it stays out of its way.
+    top = bar;
     ImGui::SetNextWindowPos({whole.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
   } else {
-    ImGui::SetNextWindowPos({0.5F * whole.x, 0.5F * whole.y}, ImGuiCond_Always, {0.5F, 0.5F});
+    float middle = 0.5F * whole.y;
+    // As far as there is room, the stage's button that has opened it stays free, to close it.
+    if (const ImGuiWindow* const shown = ImGui::FindWindowByName(title.c_str()); is_on_stage && shown != nullptr) {
+      const float height = shown->Size.y;
+      middle = std::max(middle, std::min(bar, whole.y - height - 0.25F * margin) + 0.5F * height);
+    }
+    ImGui::SetNextWindowPos({0.5F * whole.x, middle}, ImGuiCond_Always, {0.5F, 0.5F});
   }
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - top - margin});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
   bool is_open = true;
-  const std::string title = std::string(title_in(stage_language(session.language), entry->id)) + entry->title;
   ImGui::Begin(title.c_str(), &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);

@@ -167,10 +167,13 @@ TEST_F(OverStage, EscDoesAtOnceWhatIsSaidThoughTabWasPressed) {
 }
 
 TEST_F(OverStage, WhatOpensADialogClosesIt) {
-  open_stage(1280, 800);
-  for (const Dialog expected : {Dialog::lessons, Dialog::none}) {
-    click_on(StageCommand::lessons);
-    EXPECT_EQ(session().dialog, expected);
+  for (const auto& [width, height] : {std::pair{1280, 720}, std::pair{1920, 1080}, std::pair{1280, 800}}) {
+    open_stage(width, height);
+    for (const Dialog expected : {Dialog::lessons, Dialog::none}) {
+      click_on(StageCommand::lessons);
+      EXPECT_EQ(session().dialog, expected) << width << "×" << height;
+      frames(3);
+    }
   }
   for (const int opens : {key::f1, key::f2, key::f5}) {
     press(opens);
