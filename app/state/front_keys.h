@@ -23,13 +23,13 @@ struct FrontKeys {
   FrontKey next_theme;
   FrontKey save_picture;
   FrontKey copy_picture;
-  FrontKey save_clip;  // no key where no files are painted
   FrontKey copy_values;
   FrontKey link;            // no key where there is no page to link to
   int move_view_modifiers;  // of the arrows that move the view
 
   // Of what these keys do, where that differs too.
-  std::string_view zoom_sentence;
+  std::string_view view_sentence;
+  std::string_view pictures;            // the keys that save and copy, in a row
   std::string_view text_size_sentence;  // of the setting
 
   // Keys that quit and that change the size of text. A browser closes and zooms its pages itself.
@@ -46,11 +46,11 @@ inline constexpr FrontKeys keys_on_desktop{
     .next_theme = {key::t, modifier::control, "Ctrl+T"},
     .save_picture = {key::s, modifier::control | modifier::shift, "Ctrl+Shift+S"},
     .copy_picture = {key::p, modifier::control | modifier::shift, "Ctrl+Shift+P"},
-    .save_clip = {key::p, modifier::alt, "Alt+P"},
     .copy_values = {key::c, modifier::control | modifier::shift, "Ctrl+Shift+C"},
     .link = {},
     .move_view_modifiers = modifier::alt,
-    .zoom_sentence = "Zoom in (Shift: out); Alt+arrows move the view",
+    .view_sentence = "Fit all; zoom in (Shift: out); Alt+arrows: move",
+    .pictures = "Ctrl+Shift+S, P, C",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.",
     .has_own_window = true};
 
@@ -64,11 +64,11 @@ inline constexpr FrontKeys keys_in_page{
     .next_theme = {key::c, 0, "C"},
     .save_picture = {key::i, 0, "I"},
     .copy_picture = {key::i, modifier::shift, "Shift+I"},
-    .save_clip = {},
     .copy_values = {key::v, 0, "V"},
     .link = {key::u, 0, "U"},
     .move_view_modifiers = modifier::shift | modifier::alt,
-    .zoom_sentence = "Zoom in (Shift: out); Shift+Alt+arrows move the view",
+    .view_sentence = "Fit all; zoom in (Shift: out); Shift+Alt+arrows: move",
+    .pictures = "I, Shift+I, V",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. The browser's own zoom changes it too.",
     .has_own_window = false};
 

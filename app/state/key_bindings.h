@@ -28,7 +28,7 @@ using ActionWords = StageLanguage::Action StageLanguage::Actions::*;
 struct KeyBinding {
   int key;                       // of keys.h
   int modifiers;                 // of keys.h
-  std::string_view shown;        // as printed on the keys; empty: a further key of the row above
+  std::string shown;             // as printed on the keys; empty: a further key of the row above
   std::string_view sentence;     // what it does
   std::optional<Action> action;  // empty: the screen moves the focus
   bool repeats = false;          // holding it down does it again

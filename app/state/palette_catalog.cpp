@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/file_exchange.h"
 #include "app/files/scene_file.h"
 #include "app/state/faces_and_modes.h"
 #include "app/state/front_keys.h"
@@ -77,22 +78,9 @@ std::string why_not(const Circumstances& now, const StopRecording&) {
   return refuse_unless(now.loop.recording.is_on, now.language.refusals.is_not_on);
 }
 
-std::string why_not(const Circumstances& now, const BeginCircleTest&) {
-  return refuse_unless(!now.session.circle_test.is_on, now.language.refusals.is_so_already);
-}
-
-std::string why_not(const Circumstances& now, const EndCircleTest&) {
-  return refuse_unless(now.session.circle_test.is_on, now.language.refusals.is_not_on);
-}
-
 std::string why_not(const Circumstances& now, const StartMeasuring&) {
   const bool is_on = now.session.measurement.stage != UserMeasurement::Stage::off;
   return refuse_unless(!is_on, now.language.refusals.is_so_already);
-}
-
-std::string why_not(const Circumstances& now, const CancelMeasuring&) {
-  const bool is_on = now.session.measurement.stage != UserMeasurement::Stage::off;
-  return refuse_unless(is_on, now.language.refusals.is_not_on);
 }
 
 std::string why_not(const Circumstances& now, const LeaveLesson&) {
@@ -193,6 +181,10 @@ void add_looks(Entries& entries) {
     options.compare = compare;
     entries.add(named, ChangeViewOptions{options});
   }
+  entries.add(&Name::next_comparison, NextCompareMode{});
+  entries.add(&Name::ghost_forces, ToggleViewOption{&ViewOptions::ghost_forces});
+  entries.add(&Name::predictions, ToggleViewOption{&ViewOptions::predictions});
+  entries.add(&Name::trails, ToggleViewOption{&ViewOptions::trails});
   for (const StageLanguage* const each : stage_languages) {
     entries.add(&Name::language, each->name, ChooseLanguage{std::string(each->code)});
   }
@@ -206,13 +198,12 @@ void add_experiments(Entries& entries) {
   for (const InputChoice& input : entries.now.loop.inputs) {
     entries.add(&Name::choose_input, input.title, ChooseInput{std::string(input.name)});
   }
-  entries.add(&Name::begin_circle, BeginCircleTest{});
-  entries.add(&Name::end_circle, EndCircleTest{});
+  entries.add(&Name::largest_drift, TurnWallToLargestDrift{});
   entries.add(&Name::start_measuring, StartMeasuring{});
-  entries.add(&Name::cancel_measuring, CancelMeasuring{});
   entries.add(&Name::start_recording, StartRecording{entries.now.session.recording_path});
   entries.add(&Name::stop_recording, StopRecording{});
   entries.add(&Name::save_plots, OpenDialog{Dialog::save_plots});
+  if (save_place().paints_files) entries.add(&Name::save_clip, OpenDialog{Dialog::save_clip});
 }
 
 void add_lessons_and_scenes(Entries& entries) {

@@ -1,7 +1,6 @@
 // F1: what mouse and keys do, from the one table of each, by what they are for, in as many columns as have room.
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -64,10 +63,9 @@ constexpr std::string_view subject =
     "but its motor pushes in only one: that causes the ghost force.";
 
 // [points]
-constexpr float line_gap = 1.5F;       // between lines
-constexpr float group_gap = 4.0F;      // above a title
-constexpr float column_gap = 18.0F;    // between columns
-constexpr float room_around = 118.0F;  // title, subject, last line and margins
+constexpr float line_gap = 1.5F;     // between lines
+constexpr float group_gap = 4.0F;    // above a title
+constexpr float column_gap = 18.0F;  // between columns
 
 float width_of(ImFont* font, float height, std::string_view words) {
   return font->CalcTextSizeA(height, 1e9F, 0.0F, words.data(), words.data() + words.size()).x;
@@ -78,7 +76,8 @@ struct ColumnWidths {
   float sentence = 0.0F;
 };
 
-ColumnWidths widths_of(std::span<const HelpGroup> groups, const PanelContext& context, float height) {
+ColumnWidths widths_of(std::span<const HelpGroup> groups, const PanelContext& context) {
+  const float height = ImGui::GetFontSize();
   ColumnWidths widths;
   for (const HelpGroup& group : groups) {
     for (const HelpLine& line : group.lines) {
@@ -115,25 +114,15 @@ void draw_groups(std::span<const HelpGroup> groups, const ColumnWidths& widths, 
 void draw_help(const PanelContext& context) {
   const std::vector<HelpGroup> groups = help_groups();
   const std::span<const HelpGroup> all(groups);
-  const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const float room = window.x - 64.0F * context.scale;
+  const float room = ImGui::GetIO().DisplaySize.x - 64.0F * context.scale;
   const std::size_t split = left_groups(all);
   const std::array parts{all.first(split), all.subspan(split)};
 
-  // A little smaller where that makes everything fit on one screen; where it does not, the dialog scrolls.
-  constexpr float smallest = 0.8F;
-  const float usual = ImGui::GetFontSize();
-  const auto lines = static_cast<float>(std::max(height_of(parts[0]), height_of(parts[1])));
-  const auto titles = static_cast<float>(std::max(parts[0].size(), parts[1].size()));
-  const float line_room = (window.y - (room_around + titles * (group_gap + line_gap)) * context.scale) / lines;
-  const float fitting = std::floor(line_room - line_gap * context.scale);
-  const float letters = fitting >= smallest * usual ? std::min(fitting, usual) : usual;
-  const std::array widths{widths_of(parts[0], context, letters), widths_of(parts[1], context, letters)};
+  const std::array widths{widths_of(parts[0], context), widths_of(parts[1], context)};
   const float both =
       widths[0].press + widths[0].sentence + widths[1].press + widths[1].sentence + column_gap * context.scale;
 
   wrapped_text(subject, ImGui::GetCursorPosX() + std::min(both, room));
-  ImGui::PushFont(nullptr, letters / context.scale);
   if (both <= room) {
     const float left = ImGui::GetCursorPosX();
     draw_groups(parts[0], widths[0], context);
@@ -146,7 +135,6 @@ void draw_help(const PanelContext& context) {
     const float sentence = std::max(widths[0].sentence, widths[1].sentence);
     draw_groups(all, {press, std::min(sentence, room - press - ImGui::GetStyle().ScrollbarSize)}, context);
   }
-  ImGui::PopFont();
   text_in(context.theme.faint_text, "On the workbench, rest the pointer on any name or mark to read what it means.");
 }
 

@@ -84,7 +84,7 @@ void draw_save_picture(const PanelContext& context) {
   if (save_place().paints_files) {
     ImGui::SameLine();
     if (ImGui::Button("Clip…")) context.apply(OpenDialog{Dialog::save_clip});
-    tooltip("The last seconds of the stage, as a moving picture. Alt+P.");
+    tooltip("The last seconds of the stage, as a moving picture.");
   }
   if (!shall_save) return;
   context.apply(SavePicture{form.path, form.density, form.scene_alone});

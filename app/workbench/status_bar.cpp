@@ -36,7 +36,7 @@ void draw_save_menu(const PanelContext& context) {
   };
   if (ImGui::MenuItem("Save this scene…", "Ctrl+S")) apply(OpenDialog{Dialog::save_scene});
   if (item("Save a picture…", keys.save_picture.shown)) apply(OpenDialog{Dialog::save_picture});
-  if (save_place().paints_files && ImGui::MenuItem("Save a clip…", "Alt+P")) apply(OpenDialog{Dialog::save_clip});
+  if (save_place().paints_files && ImGui::MenuItem("Save a clip…")) apply(OpenDialog{Dialog::save_clip});
   if (ImGui::MenuItem("Save the plots…", nullptr, false, context.session.plots.is_open)) {
     apply(OpenDialog{Dialog::save_plots});
   }

@@ -219,7 +219,7 @@ void draw_compare(const PanelContext& context, float width, float height) {
       context.apply(ChangeViewOptions{options});
     }
   });
-  tooltip("Compare: all strategies in one picture, a picture for each, or the active one only. Key 0.");
+  tooltip("Compare: all strategies in one picture, a picture for each, or the active one only.");
 }
 
 void draw_speed(const PanelContext& context, float width, float height) {

@@ -299,7 +299,7 @@ TEST_F(RecordingWindow, RepeatsWhatAPersonDidThere) {
   press(key::r);
   frames(10);
   press(key::left_bracket);
-  press(key::w);
+  act(TurnWallToLargestDrift{});
   frames(10);
   press(key::r, modifier::alt);
   frames(10);

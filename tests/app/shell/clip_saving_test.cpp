@@ -46,8 +46,9 @@ class ClipWindow : public DrivenWindow {
   TemporaryFolder folder_;
 };
 
-TEST_F(ClipWindow, AltPSavesWhatTheStageHasShown) {
-  press(key::p, modifier::alt);
+TEST_F(ClipWindow, SavesWhatTheStageHasShown) {
+  act(OpenDialog{Dialog::save_clip});
+  frames(3);
   ASSERT_EQ(session().dialog, Dialog::save_clip);
   EXPECT_EQ(session().form.clip_seconds, 5);
   const double before_s = now().time_s;

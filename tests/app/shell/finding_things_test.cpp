@@ -172,7 +172,7 @@ TEST_F(FindingThings, APathThatCannotBeOpenedStaysInThePickerWithTheReasonAndASu
   type("3 w");
   press(key::digit_3);
   press(key::space);
-  press(key::w);
+  press(key::left_bracket);
   EXPECT_EQ(session().settings, before.settings);
   EXPECT_FALSE(session().paused);
   EXPECT_EQ(session().form.path, "3 w") << "what was wrong is marked, and typed over";

@@ -49,7 +49,7 @@ class SessionReplayTest : public RecordedWindow {
     drag(on_window(session().goal), on_window({-0.01, 0.012}));
     act(ChangeStiffnesses{{300.0, 250.0, 700.0, 650.0, 1e5, 2.5}});
     press(key::z, modifier::control);
-    press(key::t);
+    act(ToggleViewOption{&ViewOptions::trails});
     press(key::v);
     frames(20);
     act(ChooseInput{"circle"});

@@ -60,11 +60,11 @@ using WithAmount = std::variant<HoldControl, MoveHandBy, MoveHandTo, LetGoOfHand
 // They answer what stands on the screen, with its button beside it.
 using OfWhatIsOpen = std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLesson, TakeReading, RevealHand,
                                   BelieveMeasurement, FollowNewest, ForgetLessons, Escape, CloseDialog, CloseNotice,
-                                  HideHints, ResetPreferences, ToggleMenu>;
+                                  HideHints, ResetPreferences, ToggleMenu, CancelMeasuring, EndCircleTest>;
 // A dialog that is in the catalog asks for their path first, or nobody chooses them by words.
 using WithPath = std::variant<DropFiles, SaveScene, SavePicture, SaveClip, SavePlots>;
 // Another Action in the catalog does the same.
-using OtherWay = std::variant<ChooseByNumber, ShowFace, NextLanguage>;
+using OtherWay = std::variant<ChooseByNumber, ShowFace, NextLanguage, BeginCircleTest>;
 // A page has it.
 using InPageAlone = std::variant<ShowLink>;
 
