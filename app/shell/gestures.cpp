@@ -9,6 +9,7 @@
 #include "app/picture/camera.h"
 #include "app/picture/handles.h"
 #include "app/picture/screen_box.h"
+#include "app/widgets/controls.h"
 #include "app/widgets/tooltips.h"
 #include "core/scene.h"
 
@@ -49,7 +50,7 @@ void Gestures::take(const Session& session, const ActionSink& apply, const std::
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   if (session.drags_goal) apply(LetGoOfHand{});
   if (panes.empty()) return;
-  const bool is_held = ImGui::IsItemActive();
+  const bool is_held = is_dragged();
   const bool is_hovered = ImGui::IsItemHovered();
   const Vector<2> pointer = vector_of(ImGui::GetIO().MousePos) - vector_of(corner);
 

@@ -37,14 +37,12 @@ ShownMoment shown_moment(const Session& session, const Snapshot& present, const 
 
 void LookingBack::follow(Session& session, const Snapshot& present, const MomentHistory& moments) {
   std::optional<double>& time_s = session.stage.looks_back_to_s;
-  const bool has_left =
-      std::exchange(mode_, session.stage.mode) != session.stage.mode && session.stage.mode != StageMode::ribbon;
   // A moment is there for all strategies: another active one is no change of it.
   settings_.active = session.settings.active;
   const Settings chosen = chosen_settings(session.settings, session.belief_source);
   const bool has_changed = std::exchange(settings_, chosen) != chosen;
   const bool has_moved = std::exchange(goal_, session.goal) != session.goal || session.drags_goal;
-  if (has_left || has_changed || has_moved) time_s.reset();
+  if (has_changed || has_moved) time_s.reset();
   if (const int ticks = std::exchange(session.ticks_through_history, 0); ticks != 0) {
     go_through(ticks, session, present, moments);
   }

@@ -14,14 +14,13 @@ ShownMoment shown_moment(const Session& session, const Snapshot& present, const 
 class LookingBack {
  public:
   // After each frame: goes through the ticks that were asked for, and ends where the person has changed something: a
-  // setting but which strategy is active, the goal, or the stage's mode. `present` and `moments`: those of that frame.
+  // setting but which strategy is active, or the goal. `present` and `moments`: those of that frame.
   void follow(Session& session, const Snapshot& present, const MomentHistory& moments);
 
  private:
   // What the person had chosen a frame ago.
   Settings settings_{};
   Vector<2> goal_{0.0};
-  StageMode mode_ = StageMode::none;
 };
 
 }  // namespace ghostforce

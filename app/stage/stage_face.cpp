@@ -173,15 +173,17 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
     session.stage_shown = session.lesson ? lesson_view(session) : stage_view_of(session.settings, session.goal);
   } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
     view_ = session.stage_shown;
-  } else if (!pointer_.is_holding() && !transition_.is_running() && !show_.is_on() && !frame.shown.is_past) {
+  } else if ((frame.shown.is_past || !pointer_.is_holding()) && !transition_.is_running() && !show_.is_on()) {
     const auto is_seen = [&](const Vector<2>& place) {
       return contains(picture_.scene, to_screen(picture_.pane.camera, place));
     };
-    if (const auto device = frame.shown.snapshot.measured) {
-      // A handle that somebody moves away takes the view along.
-      const Vector<2> handle = frame.shown.snapshot.strategies[index_of(*device)].device;
-      const std::array places{session.goal, handle};
-      if (!is_seen(handle)) session.stage_shown = stage_view_of(session.settings, places);
+    const Snapshot& snapshot = frame.shown.snapshot;
+    if (snapshot.measured || frame.shown.is_past) {
+      // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
+      const Vector<2> there =
+          snapshot.measured ? snapshot.strategies[index_of(*snapshot.measured)].device : snapshot.goal;
+      const std::array places{session.goal, there};
+      if (!is_seen(there)) session.stage_shown = stage_view_of(session.settings, places);
     } else {
       const StageMoment rest = stage_moment_at_rest(settings_now(session), session.goal);
       const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);

@@ -11,6 +11,7 @@
 #include "app/state/lesson_quantities.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
+#include "app/widgets/controls.h"
 #include "app/widgets/focus.h"
 
 namespace ghostforce {
@@ -139,7 +140,7 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   ImGui::InvisibleButton("stage", imgui_vector(frame.size),
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
-  const bool is_held = ImGui::IsItemActive();
+  const bool is_held = is_dragged();
   const bool is_hovered = ImGui::IsItemHovered();
   const Vector<2> pointer = vector_of(io.MousePos) - vector_of(corner);
   const Scene scene{picture};

@@ -152,7 +152,9 @@ void act(Session& session, const Restart& action) {
 // --- Stage ---
 
 void act(Session& session, const ShowFace& action) {
+  const std::optional<double> looks_back_to_s = session.stage.looks_back_to_s;  // both faces look at one moment
   if (action.face == Face::workbench) leave_stage_mode(session);
+  session.stage.looks_back_to_s = looks_back_to_s;
   session.face = action.face;
 }
 
@@ -214,14 +216,16 @@ void show_strategy(Session& session) {
   act(session, ChooseStrategy{id, true});
 }
 
-template <StageMode mode>
+// Whatever was chosen between two steps, or in the last one.
+template <StageMode mode, StrategyId id>
 void show_stage_mode(Session& session) {
   if (session.stage.mode != mode) begin_stage_mode(session, mode);
+  act(session, ChooseStrategy{id});
 }
 
 template <int step>
 void show_why(Session& session) {
-  show_stage_mode<StageMode::why>(session);
+  show_stage_mode<StageMode::why, StrategyId::naive>(session);
   session.stage.why_step = step;
 }
 
@@ -233,8 +237,8 @@ constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>
                                                  show_why<3>,
                                                  show_why<4>,
                                                  show_strategy<StrategyId::anisotropic>,
-                                                 show_stage_mode<StageMode::landscape>,
-                                                 show_stage_mode<StageMode::round>};
+                                                 show_stage_mode<StageMode::landscape, StrategyId::naive>,
+                                                 show_stage_mode<StageMode::round, StrategyId::anisotropic>};
 
 void go_to_talk_step(Session& session, int step) {
   if (step < 0 || step >= static_cast<int>(talk.size())) return;

@@ -9,6 +9,7 @@ void begin_stage_mode(Session& session, StageMode mode) {
   leave_stage_mode(session);
   StageChoice& stage = session.stage;
   stage.mode = mode;
+  if (mode != StageMode::ribbon) stage.looks_back_to_s.reset();
   if (mode == StageMode::why) stage.why_step = 1;
   if (mode == StageMode::round) begin_circle_test(session);
 }

@@ -188,9 +188,14 @@ bool any_slider(const char* id, double& value, const SliderLimits& limits, const
   if (!was_typing && !ImGui::TempInputIsActive(own)) {
     const std::string words = number_in(format, value);
     const ImVec2 size = ImGui::CalcTextSize(words.c_str());
-    const ImVec2 least = ImGui::GetItemRectMin();
-    const ImVec2 most = ImGui::GetItemRectMax();
-    ImGui::RenderTextClipped(least, most, words.c_str(), nullptr, &size, {0.5F, 0.5F});
+    // In the half where the knob is not.
+    const bool is_logarithmic = (flags & ImGuiSliderFlags_Logarithmic) != 0;
+    const double middle =
+        is_logarithmic ? std::sqrt(limits.least * limits.greatest) : 0.5 * (limits.least + limits.greatest);
+    const float padding = ImGui::GetStyle().FramePadding.x;
+    const ImVec2 least{ImGui::GetItemRectMin().x + padding, ImGui::GetItemRectMin().y};
+    const ImVec2 most{ImGui::GetItemRectMax().x - padding, ImGui::GetItemRectMax().y};
+    ImGui::RenderTextClipped(least, most, words.c_str(), nullptr, &size, {value < middle ? 1.0F : 0.0F, 0.5F});
   }
   return is_changed;
 }
@@ -224,6 +229,11 @@ bool stiffness_slider(const char* id, std::string_view key, double& newton_per_m
 
 float dialog_field_width(float points, const PanelContext& context) {
   return std::min(points * context.scale, ImGui::GetIO().DisplaySize.x - 80.0F * context.scale);
+}
+
+bool is_dragged() {
+  const ImVec2 moved = ImGui::GetIO().MouseDelta;
+  return ImGui::IsItemActive() || (ImGui::IsItemDeactivated() && (moved.x != 0.0F || moved.y != 0.0F));
 }
 
 void close_popup_on_escape() {

@@ -62,6 +62,10 @@ bool angle_slider(const char* id, double& radians);
 // How wide a field of a dialog may be that would like to be `points` wide: the dialog has to stay inside the window.
 float dialog_field_width(float points, const PanelContext& context);
 
+// Of the item just drawn: the pointer holds it, or has let go of it within a frame in which it moved. Who is quick
+// presses, drags and lets go between two frames.
+bool is_dragged();
+
 // Closes the popup that is being drawn when Esc is pressed.
 void close_popup_on_escape();
 

@@ -65,8 +65,10 @@ std::string words_of_device(const PanelContext& context) {
   return {};
 }
 
-bool time_stands_still(const Session& session) {
-  return session.paused || session.stage.looks_back_to_s;
+// Null: time goes on.
+const char* words_of_stillness(const Session& session) {
+  if (session.stage.looks_back_to_s) return "LAST MINUTE";
+  return session.paused ? "PAUSED" : nullptr;
 }
 
 std::string words_of(const PanelContext& context) {
@@ -77,9 +79,8 @@ std::string words_of(const PanelContext& context) {
 }
 
 // At the right edge, as high as the bar: to be read from the last row. Returns where it begins.
-float draw_paused(const PanelContext& context) {
-  const char* const words = "PAUSED";
-  const char* const remedy = "Space: resume";
+float draw_stillness(const PanelContext& context, const char* words) {
+  const char* const remedy = context.session.stage.looks_back_to_s ? "Space: back to now" : "Space: resume";
   const float regular = ImGui::GetStyle().FontSizeBase;
   const ImVec2 corner = ImGui::GetCursorPos();
   const float right = ImGui::GetContentRegionMax().x;
@@ -98,14 +99,16 @@ float draw_paused(const PanelContext& context) {
 
 std::vector<std::string> warnings_of_caption(const PanelContext& context) {
   std::vector<std::string> words;
-  if (time_stands_still(context.session)) words.emplace_back("PAUSED");
+  if (const char* const still = words_of_stillness(context.session)) words.emplace_back(still);
   if (std::string device = words_of_device(context); !device.empty()) words.push_back(std::move(device));
   return words;
 }
 
 void draw_caption(const PanelContext& context) {
-  const bool is_still = time_stands_still(context.session);
-  const float end = is_still ? draw_paused(context) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
+  const char* const still = words_of_stillness(context.session);
+  const bool is_still = still != nullptr;
+  const float end =
+      is_still ? draw_stillness(context, still) - ImGui::GetStyle().ItemSpacing.x : ImGui::GetContentRegionMax().x;
   if (context.session.hint && !is_still) {
     draw_hint(context);
     return;

@@ -24,8 +24,7 @@ struct Tab {
 
 constexpr std::array tabs{
     Tab{PlotTab::time, "Time", "Time",
-        "The recent past. Turn the wheel to show more or less time, drag to look back, and click to see a moment "
-        "again.",
+        "The last minute. Turn the wheel to show more or less time, and drag. Click to look back at a moment.",
         [](const PanelContext& context, const History& history) { draw_time_plots(context, history.plots()); }},
     Tab{PlotTab::wall_angle, "Wall angle", "Angle",
         "Where everything would come to rest with the wall at another angle and the goal at the same depth. Drag to "

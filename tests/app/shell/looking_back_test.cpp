@@ -212,15 +212,44 @@ TEST_F(LookingBackTest, ChangingAnythingEndsIt) {
   ends("another scene", [&] { act(OpenScene{"fig1"}); });
   ends("another input", [&] { act(ChooseInput{"script"}); });
   ends("Esc", [&] { press(key::escape); });
-  ends("another mode", [&] { session().stage.mode = StageMode::why; });
+  ends("another mode", [&] { press(key::y); });
   ends("leaving its mode", [&] {
-    session().stage.mode = StageMode::ribbon;
-    frames(3);
+    press(key::h);
     EXPECT_TRUE(looks_back_to_s()) << "entering it does not end it";
-    session().stage.mode = StageMode::none;
+    press(key::h);
   });
   ends("a moment that is not past", [&] { session().stage.looks_back_to_s = 1e9; });
   ends("no moment", [&] { session().stage.looks_back_to_s = std::numeric_limits<double>::quiet_NaN(); });
+}
+
+TEST_F(LookingBackTest, BothFacesLookAtOneMoment) {
+  move_about();
+  press(key::h);
+  look_back(0.2);
+  const std::optional<double> moment = looks_back_to_s();
+  for (int i = 0; i < 3; ++i) {
+    press(key::f4);
+    EXPECT_EQ(looks_back_to_s(), moment) << i;
+    EXPECT_TRUE(application_->shown().is_past);
+  }
+}
+
+// After a reset the last minute begins with the scripted hand, which came from outside the picture.
+TEST_F(LookingBackTest, TheStageShowsTheHandThatWas) {
+  open({.face = Face::stage});
+  press(key::r, modifier::alt);
+  press(key::h);
+  frames(20);
+  const auto is_seen = [&](const Vector<2>& place) {
+    const StagePicture& picture = screen().stage().picture();
+    return contains(picture.scene, to_screen(picture.pane.camera, place));
+  };
+  for (const double by_s : {0.5, 1.2, 2.0, 2.9}) {
+    look_back(by_s);
+    frames(60);
+    EXPECT_TRUE(is_seen(application_->shown().snapshot.goal)) << by_s;
+    EXPECT_TRUE(is_seen(session().goal)) << by_s;
+  }
 }
 
 TEST_F(LookingBackTest, SpaceAndEscGoOnLive) {

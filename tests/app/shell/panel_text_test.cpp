@@ -58,6 +58,21 @@ TEST_F(PanelText, IsReadFromTheFrame) {
   }
 }
 
+// In the half of the slider where its knob is not.
+TEST_F(PanelText, ASlidersNumberIsBesideItsKnob) {
+  const auto left_of = [&](double k_r, std::string_view words) {
+    session().settings.stiffnesses.k_r = k_r;
+    frames(3);
+    const std::vector<ScreenWords> all = words_on_screen();
+    const auto found = std::ranges::find(all, words, &ScreenWords::text);
+    return found == all.end() ? -1.0F : found->ink.Min.x;
+  };
+  const float of_small = left_of(50.0, "50.0 N/m");
+  const float of_great = left_of(5000.0, "5000 N/m");
+  ASSERT_GT(of_great, 0.0F);
+  EXPECT_GT(of_small, of_great + 100.0F);
+}
+
 TEST_F(PanelText, IsAllThereAtEverySize) {
   for (const auto& [width, height] :
        {std::pair{1024, 640}, std::pair{1280, 800}, std::pair{1920, 1080}, std::pair{3840, 2160}}) {

@@ -10,6 +10,7 @@
 #include <imgui_internal.h>
 #include <glm/geometric.hpp>
 
+#include "app/picture/handles.h"
 #include "app/state/apply.h"
 #include "app/state/mode_changes.h"
 #include "tests/app/shell/driven_window.h"
@@ -182,13 +183,15 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
       Step{StrategyId::full, StageMode::none, 0},        Step{StrategyId::naive, StageMode::none, 0},
       Step{StrategyId::naive, StageMode::why, 1},        Step{StrategyId::naive, StageMode::why, 2},
       Step{StrategyId::naive, StageMode::why, 3},        Step{StrategyId::naive, StageMode::why, 4},
-      Step{StrategyId::anisotropic, StageMode::none, 0}, Step{StrategyId::anisotropic, StageMode::landscape, 0},
+      Step{StrategyId::anisotropic, StageMode::none, 0}, Step{StrategyId::naive, StageMode::landscape, 0},
       Step{StrategyId::anisotropic, StageMode::round, 0}};
   ASSERT_EQ(steps.size(), talk_length());
   const auto expect_step = [&](std::size_t i) {
     EXPECT_EQ(session().face, Face::stage);
     EXPECT_EQ(session().stage.mode, steps[i].mode) << i;
     EXPECT_EQ(session().stage.why_step, steps[i].why_step) << i;
+    EXPECT_EQ(session().settings.active, steps[i].active) << i;
+    EXPECT_FALSE(session().stage.landscape_dial) << i;
   };
   press(key::page_up);
   EXPECT_FALSE(session().stage.demo_step) << "nothing is before the first";
@@ -196,7 +199,9 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     press(key::page_down);
     expect_step(i);
-    EXPECT_EQ(session().settings.active, steps[i].active) << i;
+    // Whatever is tried meanwhile, the next step is as it should be.
+    press(i % 2 == 0 ? key::digit_1 : key::digit_3);
+    if (session().stage.mode == StageMode::landscape) act(TurnLandscapeDial{1.0});
   }
   press(key::page_down);
   expect_step(steps.size() - 1);
@@ -206,6 +211,31 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   }
   press(key::page_up);
   expect_step(0);
+}
+
+// A press, a drag and its end that come between two frames turn the motor as slow ones do, and move nothing else.
+TEST_F(StageKeysTest, AQuickDragOfTheRailsEndTurnsTheMotor) {
+  for (const Face face : {Face::stage, Face::workbench}) {
+    open({.face = face});
+    const Settings before = session().settings;
+    const Vector<2> goal = session().goal;
+    Vector<2> end;
+    if (face == Face::stage) {
+      ASSERT_TRUE(screen().stage().picture().motor_grips);
+      end = in_window((*screen().stage().picture().motor_grips)[0]);
+    } else {
+      const MotorDial dial = motor_dial(screen().panes()[0].camera, 1.0);
+      end = in_window(dial.middle + Vector<2>(dial.radius - 6.0, 0.0));
+    }
+    point_at(end);
+    button(GLFW_PRESS);
+    point_at(end + Vector<2>(0.0, -40.0));
+    button(GLFW_RELEASE);
+    frames(8);
+    EXPECT_NE(session().settings.actuated_angle, before.actuated_angle) << face_name(face);
+    EXPECT_EQ(session().settings.wall_normal_angle, before.wall_normal_angle);
+    EXPECT_EQ(session().goal, goal) << face_name(face);
+  }
 }
 
 TEST_F(StageKeysTest, TheMenuOpensWhatHasNoButtonOfItsOwn) {
