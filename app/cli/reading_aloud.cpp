@@ -47,7 +47,8 @@ void ReadingAloud::print(Application& application, double interval_s) {
     return;
   }
   if (!printed_->advance(interval_s)) return;
-  if (auto line = printed_->poll(application.stage_reading(), application.shown().snapshot.time_s)) {
+  const ShownMoment shown = application.shown();
+  if (auto line = printed_->poll(application.stage_reading(), shown.snapshot.time_s, shown.is_past)) {
     writer_->put(std::move(*line));
   }
 }
@@ -127,12 +128,14 @@ bool PrintedValues::advance(double interval_s) noexcept {
   return since_s_ >= period_s_;
 }
 
-std::optional<std::string> PrintedValues::poll(const StageReading& reading, double time_s) {
+std::optional<std::string> PrintedValues::poll(const StageReading& reading, double time_s, bool is_past) {
   std::string columns = columns_of(reading);
+  std::string line = with_time(columns, time_s);
+  if (is_past) columns = line;
   if (columns == printed_) return std::nullopt;
   printed_ = std::move(columns);
   since_s_ = 0.0;
-  return with_time(printed_, time_s);
+  return line;
 }
 
 }  // namespace ghostforce

@@ -33,13 +33,13 @@ class PrintedValues {
   // Time goes on. True: it is time to poll().
   bool advance(double interval_s) noexcept;
 
-  // The line to print; empty: nothing is new.
-  std::optional<std::string> poll(const StageReading& reading, double time_s);
+  // The line to print; empty: nothing is new. `is_past`: who looks back wants to hear of each moment.
+  std::optional<std::string> poll(const StageReading& reading, double time_s, bool is_past = false);
 
  private:
   double period_s_;
   double since_s_;       // the last line
-  std::string printed_;  // it, without its time
+  std::string printed_;  // it, without its time but where somebody looks back
 };
 
 class ReadingAloud {
