@@ -116,19 +116,17 @@ StageGuess lesson_guess(const Session& session) {
 
 namespace {
 
-// The set-up of the lesson that says most about it: one with an explanation or a map, else one in which the hand is in
-// the wall.
-const SetUp* telling_set_up(const Lesson& lesson) {
-  const SetUp* found = nullptr;
-  for (const LessonStep& step : lesson.steps) {
-    for (const SetUp* const set_up : {step.set_up.get(), step.reveal.get()}) {
-      if (set_up == nullptr) continue;
-      if (set_up->mode == StageMode::why || set_up->mode == StageMode::landscape) return set_up;
-      const bool is_better = found == nullptr || depth(wall_of(found->scene.settings), found->goal) <= 0.0;
-      if (is_better) found = set_up;
-    }
+// The way of a handle that a slow hand leads round and round.
+StageRound round_at_rest(const SetUp& set_up) {
+  const Settings& settings = set_up.scene.settings;
+  const Circle circle = circle_inside(wall_of(settings), set_up.goal, {});
+  StageRound round;
+  constexpr int places = 60;
+  for (int i = 0; i < places; ++i) {
+    const Vector<2> goal = position_on(circle, static_cast<double>(i) / places / circle.turns_per_second);
+    round.loop.push_back(stage_moment_at_rest(settings, goal).handle);
   }
-  return found;
+  return round;
 }
 
 // Things alone: words would be too small.
@@ -161,7 +159,9 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
                              .scale = scale * height_of_design / size.y,
                              .mode = set_up.mode == StageMode::ribbon ? StageMode::none : set_up.mode,
                              .why_step = whole_explanation,
-                             .landscape_dial = settings.active == StrategyId::anisotropic ? 1.0 : 0.0},
+                             .round = round_at_rest(set_up),
+                             .landscape_dial = settings.active == StrategyId::anisotropic ? 1.0 : 0.0,
+                             .measuring = StageMeasuring{.is_running = true, .filled = 0.7}},
                             memory, 0.0)
                   .pane;
   std::erase_if(pane.marks, [](const Mark& mark) { return !is_thing(mark); });
@@ -172,7 +172,9 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
 
 Pane lesson_card(std::size_t number, const Theme& theme, const Vector<2>& size, double scale) {
   const SetUp nothing;
-  const SetUp* const set_up = telling_set_up(*shipped_lessons()[number]);
+  const Lesson& lesson = *shipped_lessons()[number];
+  const LessonStep& step = lesson.steps[lesson.picture];
+  const SetUp* const set_up = step.reveal ? step.reveal.get() : step.set_up.get();
   return stage_pane(set_up == nullptr ? nothing : *set_up, theme, size, scale);
 }
 

@@ -88,6 +88,7 @@ struct Lesson {
   std::string file;                          // as a person has named it; empty: the lesson comes with the program
   std::string path;                          // of that file: absolute, and printable
   double number = 0;                         // its place among others
+  std::size_t picture = 0;                   // the step that is shown for it, from 0
   std::set<LessonSecret> secrets;            // in all of its steps, whether or not a question is open
   std::vector<LessonStep> steps;             // one at least
   std::map<std::string, LessonWords> words;  // by language, "en", "es" …; English or one other at least

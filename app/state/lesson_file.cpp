@@ -67,9 +67,4 @@ const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons() {
   return lessons;
 }
 
-std::size_t questions_of(const Lesson& lesson) noexcept {
-  const auto asks = [](const LessonStep& step) { return step.question != LessonQuestion::none; };
-  return static_cast<std::size_t>(std::ranges::count_if(lesson.steps, asks));
-}
-
 }  // namespace ghostforce

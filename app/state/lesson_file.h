@@ -33,7 +33,4 @@ const LessonWords& words_in(const Lesson& lesson, std::string_view wanted);
 // Those that a person can ask for: the stage's own, and others of these lessons, which must outlive the answer.
 std::vector<std::string_view> languages_with(std::span<const std::shared_ptr<const Lesson>> lessons);
 
-// How many of a lesson's steps ask something.
-std::size_t questions_of(const Lesson& lesson) noexcept;
-
 }  // namespace ghostforce

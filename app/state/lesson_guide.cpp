@@ -313,16 +313,6 @@ StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept {
   return mode;
 }
 
-LessonScore score_of(const LessonState& lesson) noexcept {
-  LessonScore score;
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    if (lesson.lesson->steps[i].question == LessonQuestion::none) continue;
-    ++score.questions;
-    if (lesson.steps[i].outcome == LessonOutcome::right) ++score.right;
-  }
-  return score;
-}
-
 SceneView lesson_view(const Session& session) {
   const LessonState& lesson = *session.lesson;
   std::vector<Vector<2>> goals{hand_of(session)};

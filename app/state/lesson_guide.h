@@ -58,12 +58,6 @@ StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept;
 const LessonStep& lesson_step(const LessonState& lesson) noexcept;
 const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept;
 
-struct LessonScore {
-  std::size_t right = 0;
-  std::size_t questions = 0;
-};
-LessonScore score_of(const LessonState& lesson) noexcept;
-
 // What of the world a step shows: its hand, before and after the question is answered: the picture stands still.
 SceneView lesson_view(const Session& session);
 // Whose arrow has the usual length: the strongest push of the whole lesson, so that arrows of its steps can be compared

@@ -379,6 +379,7 @@ void LessonReader::read_language(std::string_view language, const TomlValue& tab
 
 Lesson LessonReader::read(std::string_view text) {
   std::vector<std::pair<std::string, TomlValue>> languages;
+  std::optional<TomlValue> picture;
   const bool is_toml = toml_.parse(text);
   if (is_toml && toml_.has_table("wall")) {
     toml_.refuse("this is a scene, not a lesson", "open it with ghostforce run");
@@ -389,6 +390,7 @@ Lesson LessonReader::read(std::string_view text) {
                 "give the lesson's place among others, as in number = 3"},
         TomlKey{"", "hidden",
                 [&](const TomlValue& value) { lesson_.secrets = read_word_list(value, lesson_secret_catalog); }},
+        TomlKey{"", "picture", [&](const TomlValue& value) { picture = value; }},
         TomlKey{"", "step", [&](const TomlValue& steps) { read_steps(steps); }},
     };
     toml_.whole().read_table(keys, [&](std::string_view name, const TomlValue& value) {
@@ -400,6 +402,9 @@ Lesson LessonReader::read(std::string_view text) {
       }
       return true;
     });
+    std::vector<std::string_view> names;
+    for (const LessonStep& step : lesson_.steps) names.push_back(step.name);
+    if (picture && !names.empty()) lesson_.picture = picture->word(names).value_or(0);
     // The others are compared with English, if it is there.
     std::ranges::stable_partition(languages, [](const auto& language) { return language.first == "en"; });
     for (const auto& [language, table] : languages) read_language(language, table);

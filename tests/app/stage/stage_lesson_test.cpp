@@ -4,8 +4,14 @@
 
 #include <set>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "app/stage/lesson_content.h"
+#include "app/state/lesson_file.h"
+#include "core/conventions.h"
 #include "tests/app/stage/stage_faults.h"
 
 namespace ghostforce::stage_lesson_test {
@@ -144,6 +150,27 @@ TEST_P(StageInLesson, HasLettersOfOneSizeInALesson) {
       units.insert(shown.compose().unit);
     }
     EXPECT_EQ(units.size(), 1U) << words_for(shown);
+  }
+}
+
+// Where things are, to a tenth of a millimetre.
+std::string things_of(const Pane& pane) {
+  std::string things;
+  const auto add = [&](Role role, const Vector<2>& place) {
+    things += fmt::format("{} {:.1f} {:.1f}\n", role_name(role), mm_per_m * place.x, mm_per_m * place.y);
+  };
+  for (const Mark& mark : pane.marks) {
+    if (const auto* line = std::get_if<Line>(&mark.form)) add(mark.role, line->from), add(mark.role, line->to);
+    if (const auto* marker = std::get_if<Marker>(&mark.form)) add(mark.role, marker->center);
+  }
+  return things;
+}
+
+TEST(LessonCards, DifferFromOneAnother) {
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < shipped_lessons().size(); ++i) {
+    const Pane card = lesson_card(i, *find_theme("light"), {150.0, 92.0}, 0.5);
+    EXPECT_TRUE(seen.insert(things_of(card)).second) << shipped_lessons()[i]->name;
   }
 }
 

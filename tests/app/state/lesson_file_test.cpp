@@ -97,6 +97,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "it"},
         Mistake{"number = 3.5\n", "",
                 "ghost.toml:1:1: the key number is missing; give the lesson's place among others, as in number = 3"},
+        Mistake{
+            "number = 3.5\n", "number = 3.5\npicture = \"pres\"\n",
+            "ghost.toml:3:11: the key picture: 'pres' is not one of press, cure, guess, end; did you mean 'press'?"},
         Mistake{"controls = [\"hand\", ", "contorls = [\"hand\", ",
                 "ghost.toml:7:1: the key step.contorls is unknown; did you mean 'controls'?"},
         Mistake{

@@ -70,6 +70,7 @@ class LessonGuideTest : public testing::Test {
     before = session;
     begin_lesson(session, lesson_for_test());
   }
+  const LessonRecord& record() const { return session.lesson_progress.lessons.at("test"); }
   void wait(double seconds) {
     for (double gone = 0.0; gone < seconds; gone += 0.05) {
       const StageMoment moment = stage_moment_at_rest(session.settings, session.goal);
@@ -144,7 +145,7 @@ TEST_F(LessonGuideTest, TakesAnAnswerOnce) {
   EXPECT_FALSE(is_hidden(session, LessonSecret::numbers));
   answer_in_lesson(session, 1);
   EXPECT_EQ(outcome(), LessonOutcome::wrong) << "the first try counts";
-  EXPECT_EQ(score_of(lesson()).right, 0U);
+  EXPECT_TRUE(record().right.empty());
   wait(1.5);
   EXPECT_EQ(session.goal, inside) << "revealed";
 }
@@ -158,8 +159,7 @@ TEST_F(LessonGuideTest, GivesAnAnswerAwayWithoutAScore) {
   EXPECT_EQ(session.goal, inside);
   next_lesson_step(session);
   EXPECT_EQ(lesson().step, 2U);
-  EXPECT_EQ(score_of(lesson()).right, 0U);
-  EXPECT_EQ(score_of(lesson()).questions, 3U);
+  EXPECT_TRUE(record().right.empty());
 }
 
 TEST_F(LessonGuideTest, KnowsAGoodGuess) {
