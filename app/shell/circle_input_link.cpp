@@ -13,7 +13,7 @@ class CircleInputLink final : public InputLink {
   CircleInputLink(CircleInput& input, const Scene&, const InputOptions&) : input_(input) {}
 
   void begin(Session& session) override {
-    session.folded_panels.erase(std::string(passivity_panel));
+    session.folded_panels.erase(std::string(round_panel));
     // The sense that is worth seeing: a wall that is rendered naïvely gives energy to the hand.
     session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
     session.circle_test.is_on = true;

@@ -24,7 +24,7 @@ constexpr double hand_average_s = 0.3;  // over which the drift of a trembling h
 // In the order of MeasuringStep.
 constexpr std::array<std::string_view, 13> step_words{
     "Time is paused: press Space.",
-    "The hand must come to rest: end the circle test.",
+    "The hand must come to rest: stop going round.",
     "Arm the motors with the button at the top right.",
     "Press 3: only anisotropic rendering uses the ratio ρ.",
     "Turn the wall or the actuated direction: the proxy never drifts here.",

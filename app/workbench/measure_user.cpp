@@ -25,6 +25,10 @@ void draw_invitation(const PanelContext& context) {
   tooltip(
       "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards, "
       "strategy and ratio are restored.");
+  const char* const on_stage = "On the stage   S";
+  same_line_if_room(ImGui::CalcTextSize(on_stage).x + 2.0F * ImGui::GetStyle().FramePadding.x);
+  if (ImGui::Button(on_stage)) context.apply(MeasureHand{});
+  tooltip(english_stage.modes.measure.about);
 }
 
 // Two lines, so that nothing below moves when the words change.

@@ -29,9 +29,8 @@ constexpr std::array panels{
     Panel{.title = "Safety", .draw = draw_safety, .is_there = has_motors},
     Panel{"Rendering", draw_rendering},
     Panel{"Hand", draw_user},
-    Panel{
-        .title = "Measure the hand", .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
-    Panel{.title = passivity_panel, .draw = draw_passivity, .opens_from = when_asked, .news = news_of_circle},
+    Panel{.title = measuring_panel, .draw = draw_measure_user, .opens_from = when_asked, .news = news_of_measurement},
+    Panel{.title = round_panel, .draw = draw_round, .opens_from = when_asked, .news = news_of_circle},
     Panel{"Wall and device", draw_wall_and_device, room_for_the_device},
     Panel{"Input", draw_input, room_for_the_input},
     Panel{"View", draw_view_options, room_for_the_view},

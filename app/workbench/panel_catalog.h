@@ -10,8 +10,9 @@ namespace ghostforce {
 
 std::span<const Panel> panel_catalog() noexcept;
 
-// The title of the one that whoever asks for a circle wants to see.
-inline constexpr std::string_view passivity_panel = "Passivity";
+// Called as the modes of the stage that do the same.
+inline constexpr std::string_view round_panel = "Round and round";
+inline constexpr std::string_view measuring_panel = "Measure the hand";
 
 // The panels themselves, a file each.
 void draw_live_values(const PanelContext& context);
@@ -19,7 +20,7 @@ void draw_safety(const PanelContext& context);
 void draw_rendering(const PanelContext& context);
 void draw_user(const PanelContext& context);
 void draw_measure_user(const PanelContext& context);
-void draw_passivity(const PanelContext& context);
+void draw_round(const PanelContext& context);
 void draw_wall_and_device(const PanelContext& context);
 void draw_input(const PanelContext& context);
 void draw_view_options(const PanelContext& context);

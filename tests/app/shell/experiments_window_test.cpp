@@ -1,4 +1,4 @@
-// The experiments in the window besides the guided measurement: beliefs, the circle test, the panels themselves.
+// The experiments in the window besides the guided measurement: beliefs, round and round, the panels themselves.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -17,6 +17,12 @@
 
 namespace ghostforce::experiments_window_test {
 namespace {
+
+// What the stage does too is called the same there.
+TEST(Panels, AreCalledAsTheModesOfTheStage) {
+  EXPECT_EQ(round_panel, english_stage.modes.round.title);
+  EXPECT_EQ(measuring_panel, english_stage.modes.measure.title);
+}
 
 TEST_F(ExperimentsWindow, AWrongBeliefShowsAsDrift) {
   open(with_panel("Hand"));
@@ -77,7 +83,7 @@ TEST_F(ExperimentsWindow, TheFirstRecordingCanBeNamed) {
 }
 
 TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
-  ApplicationOptions options = with_panel("Passivity");
+  ApplicationOptions options = with_panel("Round and round");
   options.input = "circle";
   open(options);
   frames(3);
@@ -105,7 +111,7 @@ TEST_F(ExperimentsWindow, TheCircleStaysInThePictureAndADragEndsIt) {
 }
 
 TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
-  open(with_panel("Passivity"));
+  open(with_panel("Round and round"));
   click(circle_button);
   EXPECT_EQ(session().input, "circle");
   for (const bool is_clockwise : {true, false}) {
@@ -145,15 +151,15 @@ TEST_F(ExperimentsWindow, ACircleHasTheEnergyOfTheFormulaInEitherSense) {
 
 // The circle is near to where the person's goal was, and so is the goal afterwards.
 TEST_F(ExperimentsWindow, TheCircleTestKeepsADraggedGoal) {
-  open(with_panel("Passivity"));
+  open(with_panel("Round and round"));
   const Vector<2> first = session().goal;
   drag(on_window(first), on_window({0.030, 0.012}));
   frames(5, ticks);
   const Vector<2> goal = session().goal;
   ASSERT_GT(glm::distance(goal, first), 0.02);
-  const std::optional<ImVec2> start = clickable("Start the circle test###circle");
+  const std::optional<ImVec2> start = clickable("Go round and round###circle");
   ASSERT_TRUE(start);
-  click_button("Start the circle test###circle");
+  click_button("Go round and round###circle");
   frames(3);
   EXPECT_EQ(session().input, "circle");
   const Circle circle = application_->reading().circle->circle;
@@ -161,11 +167,11 @@ TEST_F(ExperimentsWindow, TheCircleTestKeepsADraggedGoal) {
   EXPECT_LT(glm::distance(circle.center, goal), 0.02);
   frames(5, 100);
   EXPECT_LT(glm::distance(now().goal, goal), 0.05) << "it comes from where the goal was";
-  const std::optional<ImVec2> end = clickable("End the circle test###circle");
+  const std::optional<ImVec2> end = clickable("Stop###circle");
   ASSERT_TRUE(end);
   EXPECT_EQ(end->x, start->x) << "the button stays where it is";
   EXPECT_EQ(end->y, start->y);
-  click_button("End the circle test###circle");
+  click_button("Stop###circle");
   frames(3, ticks);
   EXPECT_EQ(session().input, "mouse");
   EXPECT_EQ(session().goal, goal);
@@ -180,7 +186,7 @@ TEST_F(ExperimentsWindow, TheCircleTestKeepsADraggedGoal) {
 TEST_F(ExperimentsWindow, TheCircleTestBeginsInTheSenseThatMakesEnergy) {
   for (const double motor : {0.0, -0.5 * std::numbers::pi}) {
     SCOPED_TRACE(motor);
-    open(with_panel("Passivity"));
+    open(with_panel("Round and round"));
     session().settings.actuated_angle = motor;
     frames(3);
     EXPECT_EQ(count_marks(Role::area), 0);
@@ -194,7 +200,7 @@ TEST_F(ExperimentsWindow, TheCircleTestBeginsInTheSenseThatMakesEnergy) {
 }
 
 TEST_F(ExperimentsWindow, TheCircleFollowsTheWallAndBeginsAnew) {
-  ApplicationOptions options = with_panel("Passivity");
+  ApplicationOptions options = with_panel("Round and round");
   options.input = "circle";
   open(options);
   frames(16, 500);

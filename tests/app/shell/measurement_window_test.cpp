@@ -304,7 +304,7 @@ TEST_F(ExperimentsWindow, AFileShowsAndHidesWhatTheScreenDoes) {
   EXPECT_EQ(roles_in_file().count(Role::target), 4U) << "line, two rings and words";
   EXPECT_EQ(roles_in_file(), roles_of(screen().panes()));
 
-  ApplicationOptions circling = with_panel("Passivity");
+  ApplicationOptions circling = with_panel("Round and round");
   circling.input = "circle";
   open(circling);
   frames(16, 500);

@@ -1,4 +1,4 @@
-// The circle test: what rendering gives to a hand that goes round a closed loop inside the wall, beside the formula.
+// Round and round in numbers: what rendering gives to a hand that goes round a circle inside the wall, beside the formula.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -18,13 +18,13 @@ namespace {
 // One button in one place, whatever the state.
 void draw_switch(const PanelContext& context) {
   const bool is_on = context.session.circle_test.is_on;
-  const float width = ImGui::CalcTextSize("Start the circle test").x + 2.0F * ImGui::GetStyle().FramePadding.x;
-  if (ImGui::Button(is_on ? "End the circle test###circle" : "Start the circle test###circle", {width, 0.0F})) {
+  const float width = ImGui::CalcTextSize("Go round and round").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  if (ImGui::Button(is_on ? "Stop###circle" : "Go round and round###circle", {width, 0.0F})) {
     context.apply(is_on ? Action(EndCircleTest{}) : BeginCircleTest{});
   }
   tooltip(is_on ? "Returns the goal to where it was, and to what moved it before."
                 : "The goal goes round a circle inside the wall, and each turn is measured.");
-  if (!is_on) wrapped_text("Round a closed loop, a wall should give no energy. With one motor it does.");
+  if (!is_on) wrapped_text(english_stage.modes.round.about);
 }
 
 constexpr double least_mm = 2.0;
@@ -107,7 +107,7 @@ void draw_table(const PanelContext& context, const CircleReading& reading) {
 
 }  // namespace
 
-void draw_passivity(const PanelContext& context) {
+void draw_round(const PanelContext& context) {
   draw_switch(context);
   if (!context.loop.circle) return;
   const CircleReading& reading = *context.loop.circle;
@@ -116,7 +116,7 @@ void draw_passivity(const PanelContext& context) {
   ImGui::TextUnformatted(fmt::format("{:3} {} measured, {:3.0f} % of the next", reading.turns,
                                      reading.turns == 1 ? "turn" : "turns", 100.0 * reading.share)
                              .c_str());
-  tooltip("A turn takes 4 s of model time. Changing a setting or the circle starts the test over.");
+  tooltip("A turn takes 4 s of model time. Changing a setting or the circle starts over.");
 }
 
 }  // namespace ghostforce
