@@ -199,6 +199,7 @@ TEST_F(StageKeysTest, AClickerGoesThroughTheTalkAndBack) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     press(key::page_down);
     expect_step(i);
+    if (i + 1 == steps.size()) break;
     // Whatever is tried meanwhile, the next step is as it should be.
     press(i % 2 == 0 ? key::digit_1 : key::digit_3);
     if (session().stage.mode == StageMode::landscape) act(TurnLandscapeDial{1.0});
