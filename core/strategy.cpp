@@ -19,12 +19,10 @@ constexpr PerStrategy<Strategy> catalog = std::to_array<Strategy>({
      "wall.",
      false, isotropic},
     {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic",
-     "The cure: the same single motor, and a proxy that follows more softly across it. At the optimal ratio ρ* the "
-     "ghost force is gone.",
-     "The same single motor, and a proxy that follows more softly across it. But ρ is not the ratio that this hand "
-     "needs: a ghost force remains.",
-     "The cure: the same single motor, and a proxy that follows more softly across it. The ghost force is gone.", false,
-     tracking_ratio},
+     "One motor, and a proxy that follows softly where no motor is. At the optimal ratio ρ* the ghost force is gone.",
+     "One motor, and a proxy that follows softly where no motor is. But ρ is not the ratio that this hand needs: a "
+     "ghost force remains.",
+     "One motor, and a proxy that follows softly where no motor is. The ghost force is gone.", false, tracking_ratio},
 });
 
 }  // namespace

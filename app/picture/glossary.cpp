@@ -11,13 +11,17 @@ namespace ghostforce {
 namespace {
 
 constexpr std::array entries{
-    GlossaryEntry{Term::goal, "Goal q_u", "Where your hand wants the device to be. Drag it.", "", "mm"},
-    GlossaryEntry{Term::device, "Device q_h",
-                  "Where the device is. The hand pulls it towards the goal, and its motors push back.",
-                  "k_u (q_u − q_h) + f_r = 0 at rest", "mm"},
+    GlossaryEntry{Term::goal, "Goal q_u",
+                  "Where your hand wants the device to be. Drag it. On the stage it is the hand.", "", "mm"},
+    GlossaryEntry{
+        Term::device, "Device q_h",
+        "Where the device is. The hand pulls it towards the goal, and its motors push back. On the stage it is the "
+        "handle.",
+        "k_u (q_u − q_h) + f_r = 0 at rest", "mm"},
     GlossaryEntry{
         Term::proxy, "Proxy q_p",
-        "Where the device should be. The wall holds this point back, and the motors pull the device towards it.",
+        "Where the device should be. The wall holds this point back, and the motors pull the device towards it. On the "
+        "stage it is the hollow mark.",
         "K_t (q_h − q_p) + k_c (q_c − q_p) = 0", "mm"},
     GlossaryEntry{Term::contact, "Contact q_c", "The point on the wall that is nearest to the proxy.",
                   "q_c = q_p + n (n·(o − q_p))", "mm"},
@@ -32,7 +36,9 @@ constexpr std::array entries{
                   "It should be zero.",
                   "P_A (f_r − f_r of F)", "N"},
     GlossaryEntry{Term::proxy_drift, "Proxy drift (slide)",
-                  "How far the proxy has slid along the wall, away from where the hand aims. It should be zero.",
+                  "How far the proxy has slid along the wall, away from where the hand aims. It should be zero. The "
+                  "stage calls it "
+                  "the slide.",
                   "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{
         Term::energy, "Energy",
@@ -53,7 +59,9 @@ constexpr std::array entries{
     GlossaryEntry{Term::tracking_link, "Tracking", "The spring that makes the proxy follow the device.",
                   "f_t = K_t (q_h − q_p)", "N"},
     GlossaryEntry{Term::motor_axis, "Actuated direction",
-                  "The direction in which the device can push. It has no motor across it. Drag the arrow to turn it.",
+                  "The direction in which the device can push. It has no motor across it. Drag the arrow to turn it. "
+                  "On the stage it "
+                  "is the rail.",
                   "counter-clockwise from x", "°"},
     GlossaryEntry{Term::wall_normal, "Wall normal n", "The direction in which the wall faces.",
                   "counter-clockwise from x", "°"},
@@ -110,7 +118,7 @@ constexpr std::array entries{
                   "−k_r sinθ cosθ S / (cos²θ + ρ sin²θ + k_t/k_c)", "mJ"},
     GlossaryEntry{
         Term::estimated_goal, "Goal q_u, estimated",
-        "Where the hand seems to want the device to be. Nobody can measure this, so it is inferred from the force "
+        "Where the hand seems to want the device to be. Nobody can measure this, so it is estimated from the force "
         "and the believed k_u.",
         "q_h − f_r / believed k_u", "mm"},
     GlossaryEntry{Term::live_user_stiffness, "Hand, measured live",

@@ -28,18 +28,23 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
   const double middle = 0.5 * (button.box.least.y + button.box.most.y);
   const double left = button.box.least.x;
   const StageLetters& letters = layout.letters;
-  const double text_top = middle - 0.5 * letters.words.height;
+  const double line_top = middle - 0.5 * letters.words.height;
   // While a question is open its answers have the digits.
   const bool has_key = !content.lesson || !content.lesson->is_open;
   if (has_key) {
-    canvas.text(Role::button, {left + canvas.points(15.0), text_top}, fmt::format("{}", index_of(id) + 1),
+    canvas.text(Role::button, {left + canvas.points(15.0), line_top}, fmt::format("{}", index_of(id) + 1),
                 letters.bold_words, theme.faint_text, false);
   }
   canvas.marks.push_back({Role::button, id,
                           Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
                                  strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
-  canvas.text(Role::button, {left + canvas.points(74.0), text_top}, button.words,
-              is_active ? letters.bold_words : letters.words, is_active ? theme.text : theme.faint_text, false);
+  const Vector<2> words{left + canvas.points(74.0),
+                        button.about.empty() ? line_top : line_top - 0.5 * letters.about.height};
+  canvas.text(Role::button, words, button.words, is_active ? letters.bold_words : letters.words,
+              is_active ? theme.text : theme.faint_text, false);
+  if (button.about.empty()) return;
+  canvas.text(Role::button, words + Vector<2>(0.0, letters.words.height), button.about, letters.about, theme.faint_text,
+              false);
 }
 
 // Unmistakable from three metres while motors may push.

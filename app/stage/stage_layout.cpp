@@ -16,6 +16,7 @@ namespace {
 // Where nothing else is said, in points of the design.
 constexpr double line_of_em = 1.17;  // height of a line of text over its nominal size
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
+constexpr double about_em = 17.0;    // below the name of a strategy, which says enough without it
 constexpr double sentence_em = 29.0;
 constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
 constexpr double number_em = 74.0;
@@ -40,8 +41,8 @@ constexpr double mark_room = 44.0;  // of a lesson's mark before its text
 // Whole points: the letters that are painted then are as they were made.
 StageLetters letters_at(double unit, double longer_text_em) {
   const auto style = [&](double em, bool is_bold) { return TextStyle{std::ceil(em * line_of_em * unit), is_bold}; };
-  return {style(words_em, false), style(words_em, true), style(longer_text_em, true), style(number_em, true),
-          style(unit_em, false)};
+  return {style(words_em, false), style(words_em, true), style(longer_text_em, true),
+          style(number_em, true), style(unit_em, false), style(about_em, false)};
 }
 
 // Of those that may stand where the sentence does: letters must be small enough for it, so that they do not change with
@@ -171,11 +172,13 @@ class Arrangement {
     double x = layout_.margin;
     for (const Strategy& strategy : strategy_catalog()) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
-      const StageLanguage::StrategyButton& words = words_.language.strategy_buttons[index_of(strategy.id)];
-      const std::string_view shown = in_full ? words.in_full : words.in_short;
-      const double width = strategy_button_width(shown, layout_.unit, layout_.letters, measure_);
-      layout_.strategies.push_back(
-          {strategy.id, {{x, bottom - points(button_height)}, {x + width, bottom}}, std::string(shown)});
+      StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
+      if (!in_full) words.about = {};
+      const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
+      layout_.strategies.push_back({strategy.id,
+                                    {{x, bottom - points(button_height)}, {x + width, bottom}},
+                                    std::string(words.name),
+                                    std::string(words.about)});
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;

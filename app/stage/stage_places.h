@@ -64,6 +64,7 @@ struct StageButton {
   StageAction action;
   ScreenBox box;
   std::string words;
+  std::string about{};  // a line below them, in smaller letters
 };
 
 // Of the menu: modes that have no button of their own, and the ways to everything else.
@@ -82,6 +83,7 @@ struct StageLetters {
   TextStyle sentence;
   TextStyle number;
   TextStyle unit;
+  TextStyle about;  // what a strategy does, on its button
 };
 
 struct StageLayout {
@@ -139,8 +141,11 @@ struct StageFrameWords {
   bool shows_menu = false;
 };
 
-// How wide the button of a strategy is, with its key and the strategy's shape before the words [points]. Pure.
-double strategy_button_width(std::string_view words, double unit, const StageLetters& letters,
+// What the button of a strategy says; `about` is empty where there is room for the name alone.
+using StrategyWords = StageLanguage::StrategyButton;
+
+// How wide that button is, with its key and the strategy's shape before the words [points]. Pure.
+double strategy_button_width(const StrategyWords& words, double unit, const StageLetters& letters,
                              const MeasureText& measure);
 
 }  // namespace ghostforce

@@ -38,7 +38,8 @@ constexpr std::array quantities{
         [](const LessonReading& now) noexcept { return glm::length(now.moment.wall_share + now.moment.ghost_force); }},
     LessonQuantityEntry{LessonQuantity::ghost_force, "ghost_force_N", "the ghost force, whichever way it points",
                         [](const LessonReading& now) noexcept { return ghost_force_size(now); }},
-    LessonQuantityEntry{LessonQuantity::slide, "slide_mm", "how far the wall has let the hand slide, either way",
+    LessonQuantityEntry{LessonQuantity::slide, "slide_mm",
+                        "how far the hollow mark has slid along the wall, either way",
                         [](const LessonReading& now) noexcept {
                           return knows_goal(now.moment) ? mm_per_m * glm::length(now.moment.slide) : not_known;
                         }},

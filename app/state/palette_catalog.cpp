@@ -146,8 +146,9 @@ std::string number_key_of(StrategyId id) {
 
 void add_strategies(Entries& entries) {
   for (const Strategy& each : strategy_catalog()) {
-    const std::string_view title = entries.now.language.strategy_buttons[index_of(each.id)].in_full;
-    entries.add(&Name::strategy, title, ChooseStrategy{each.id}, number_key_of(each.id));
+    const StageLanguage::StrategyButton& words = entries.now.language.strategy_buttons[index_of(each.id)];
+    entries.add(&Name::strategy, fmt::format("{} ({})", words.name, words.about), ChooseStrategy{each.id},
+                number_key_of(each.id));
   }
 }
 

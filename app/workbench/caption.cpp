@@ -45,7 +45,7 @@ std::string words_in_hand(const PanelContext& context) {
   if (!now.in_contact) return "Push the handle into the wall.";
   const double ghost = glm::length(now.ghost_force);
   if (!context.snapshot.has_target || context.snapshot.measured != active.id || std::isnan(ghost)) {
-    return "Where you aim is only inferred, so the ghost force cannot be known.";
+    return "Where you aim is only estimated from the force, so the ghost force cannot be known.";
   }
   return fmt::format("{} Measured relative to the target.",
                      ghost < visible_force ? active.without_ghost : active.with_ghost);

@@ -43,7 +43,8 @@ void draw_head() {
 // Why nobody knows a number against the goal.
 std::string_view words_of_unknown(const PanelContext& context, StrategyId id) {
   if (!context.snapshot.has_target) {
-    return "Cannot be known: the goal of a real hand is only inferred from the force itself. Tick “Aim at a target” in "
+    return "Cannot be known: the goal of a real hand is only estimated from the force itself. Tick “Aim at a target” "
+           "in "
            "the panel “Input”.";
   }
   if (context.snapshot.measured != id) return "Cannot be known: this strategy is only simulated beside the device.";
@@ -95,7 +96,8 @@ void draw_model_error(const PanelContext& context) {
                     context.snapshot.has_target ? fmt::format("; {} relative to the target", target_sign) : "")
             .c_str());
     tooltip(
-        "Forces are what each strategy asks for, before any limit. The others are simulated with the inferred goal, so "
+        "Forces are what each strategy asks for, before any limit. The others are simulated with the estimated goal, "
+        "so "
         "their ghost force and drift cannot be known.");
     return;
   }

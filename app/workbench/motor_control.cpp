@@ -78,7 +78,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
     tooltip(filled(entry_of(motors.reason).remedy, front_keys().device_status.shown));
   } else {
-    tooltip(motors.has_focus ? "Lets the device push. Esc turns it off." : "Lets the device push.");
+    tooltip(motors.has_focus ? "Lets the device push. Esc is the emergency stop." : "Lets the device push.");
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // Nothing is said of a key that does not reach the window.
 std::string_view words_about_esc(const MotorReport& motors) {
-  return motors.has_focus ? " Esc turns them off." : "";
+  return motors.has_focus ? " Esc is the emergency stop." : "";
 }
 
 std::string words_about(const MotorReport& motors) {

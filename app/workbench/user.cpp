@@ -31,7 +31,9 @@ void draw_drift_of_belief(const PanelContext& context) {
   if (context.snapshot.measured) {
     ImGui::TextUnformatted("—");
     tooltip(
-        "Cannot be known: the goal of a real hand is only inferred, from this very belief. Measure the hand instead.");
+        "Cannot be known: the goal of a real hand is only estimated, from the force and this very belief. Measure the "
+        "hand "
+        "instead.");
     return;
   }
   if (settings.stiffnesses.chosen_tracking_ratio) {
@@ -123,7 +125,7 @@ void draw_belief_source(const PanelContext& context) {
     ImGui::EndDisabled();
     if (belief_choice("live", chosen == "live",
                       "Two small tones in the motor's force measure the hand all the time, and the belief follows it. "
-                      "They are felt: about 0.7 mm.")) {
+                      "You can feel them: about 0.7 mm.")) {
       context.apply(Believe{BeliefSource::live});
     }
     ImGui::EndCombo();

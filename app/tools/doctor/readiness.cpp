@@ -34,7 +34,7 @@ constexpr std::array steps{
                    "Pull the handle all the way out, then push it straight in until it stops.",
                    "All three motors have found their zero."},
     ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
-                   "Encoders do not move",
+                   "Encoders not moved yet",
                    "Move the handle up and down, left and right, out and in. If that changes nothing, unplug both "
                    "cables, wait 5 s, and plug them in again. An encoder that still does not move is broken.",
                    "All three motors have moved."},
@@ -288,19 +288,21 @@ class ReadinessCheck {
     switch (motors_->state) {
       case SafetyState::off:
       case SafetyState::fade: {
+        const OffReasonEntry& last = entry_of(motors_->last_reason);
+        const OffReason why = motors_->reason != OffReason::none ? motors_->reason : motors_->last_reason;
+        // What may still push is not said to be off, and nobody is asked to arm it, read or not.
+        if (report_.may_still_push && why != OffReason::none) {
+          return fmt::format("The motors were told to stop: {}.", entry_of(why).title);
+        }
         if (motors_->reason == OffReason::none) {
           if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard());
-          const OffReasonEntry& last = entry_of(motors_->last_reason);
           if (!last.at_once && !last.is_safety_limit) break;
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
-        }
-        if (report_.may_still_push) {
-          return fmt::format("The motors were told to stop: {}.", entry_of(motors_->reason).title);
         }
         if (report_.is_readable() && is_of_device(motors_->reason)) {
           // Where a step before is still to come, that one says what to do.
           return fmt::format("The motors went off: {}.{}", entry_of(motors_->reason).title,
-                             is_current ? " The device is well again: arm the motors." : "");
+                             is_current ? " The device works again: arm the motors." : "");
         }
         return turned_off_words("The motors went off", entry_of(motors_->reason));
       }

@@ -100,7 +100,7 @@ std::string words_of(const Feeling& feeling) {
 std::string caption_of(const FigureRequest& request, const SimulatedMotion& motion) {
   const Feeling feeling = feeling_of(motion);
   std::string caption = "A simulated hand (minimum jerk, tremor at 8 to 12 Hz)";
-  if (request.hand) caption = request.hand->is_estimated ? "A recorded hand, its goal inferred," : "A recorded hand";
+  if (request.hand) caption = request.hand->is_estimated ? "A recorded hand, its goal estimated," : "A recorded hand";
   caption += " and where it takes the device under each strategy. " + words_of(feeling);
   if (!motion.changes.empty()) {
     caption += fmt::format(" Settings were changed {} while it was recorded, and the same changes are made here{}.",

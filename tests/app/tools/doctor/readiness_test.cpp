@@ -123,7 +123,7 @@ TEST(Readiness, SaysThatADeviceIsWellAgainInPlaceOfWhatToDoForIt) {
                      .is_outside_wall = true};
   const std::string words = readiness_of(well(), &motors).back().words;
   EXPECT_NE(words.find("not homed"), std::string::npos);
-  EXPECT_NE(words.find("well again"), std::string::npos);
+  EXPECT_NE(words.find("works again"), std::string::npos);
   EXPECT_EQ(words.find("Home it"), std::string::npos) << words;
   motors.is_outside_wall = false;
   EXPECT_EQ(readiness_of(well(), &motors).back().words, "The motors went off: not homed.")
@@ -238,6 +238,16 @@ TEST(Readiness, RemembersAProblemOnceItIsAcknowledged) {
   EXPECT_NE(words().find("The last time, the motors went off: motor check failed."), std::string::npos) << words();
   motors.last_reason = OffReason::key;
   EXPECT_EQ(words(), entry_of(ReadinessStep::armed).remedy) << "a person's own wish is no problem";
+}
+
+TEST(Readiness, DoesNotSayThatMotorsWentOffWhichMayStillPush) {
+  MotorReport motors;
+  motors.has_motors = motors.is_handle_known = motors.is_outside_wall = true;
+  motors.last_reason = OffReason::unplugged;  // acknowledged
+  FalconReport report = well();
+  report.may_still_push = true;
+  const std::string words = readiness_of(report, &motors).back().words;
+  EXPECT_TRUE(words.ends_with("The motors were told to stop: unplugged.")) << words;
 }
 
 TEST(Readiness, DoesNotClaimThatAHandleThatPushesIsOutside) {
@@ -355,7 +365,7 @@ TEST(Readiness, SaysWhichEncodersDoNotMove) {
     FalconReport report = well();
     report.has_moved = c.has_moved;
     const ReadinessStepState step = step_in(readiness_of(report, nullptr), ReadinessStep::encoders_move);
-    EXPECT_EQ(step.title, "Encoders do not move");
+    EXPECT_EQ(step.title, "Encoders not moved yet");
     EXPECT_TRUE(step.words.starts_with(c.words)) << step.words;
   }
 }
