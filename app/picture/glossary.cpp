@@ -37,8 +37,7 @@ constexpr std::array entries{
                   "P_A (f_r − f_r of F)", "N"},
     GlossaryEntry{Term::proxy_drift, "Proxy drift (slide)",
                   "How far the proxy has slid along the wall, away from where the hand aims. It should be zero. The "
-                  "stage calls it "
-                  "the slide.",
+                  "stage calls it the slide.",
                   "(q_p − q_u) along the wall", "mm"},
     GlossaryEntry{
         Term::energy, "Energy",
@@ -60,8 +59,7 @@ constexpr std::array entries{
                   "f_t = K_t (q_h − q_p)", "N"},
     GlossaryEntry{Term::motor_axis, "Actuated direction",
                   "The direction in which the device can push. It has no motor across it. Drag the arrow to turn it. "
-                  "On the stage it "
-                  "is the rail.",
+                  "On the stage it is the rail.",
                   "counter-clockwise from x", "°"},
     GlossaryEntry{Term::wall_normal, "Wall normal n", "The direction in which the wall faces.",
                   "counter-clockwise from x", "°"},

@@ -21,16 +21,15 @@ bool is_there_a_ghost_force(const Session& session) {
 }
 
 constexpr std::array hints{
-    Hint{
-        "Drag: this is where your hand wants to be.",
-        "You press a handle into a virtual wall. With one motor, rendered as if there were two (2, naïve), the hatched "
-        "end of the force arrow is the ghost force: that is what goes wrong.",
-        HintTarget::goal,
-        [](const Session& session, const HintProgress& progress) {
-          return progress.has_dragged && !session.drags_goal;
-        },
-        // A goal that a script moves cannot be dragged.
-        [](const Session& session) { return session.pointer_moves_goal; }},
+    Hint{"Drag: this is where your hand wants to be.",
+         "You press a handle into a virtual wall. With one motor, rendered as if there were two (2, naïve), the "
+         "hatched end of the force arrow is the ghost force: that is what goes wrong.",
+         HintTarget::goal,
+         [](const Session& session, const HintProgress& progress) {
+           return progress.has_dragged && !session.drags_goal;
+         },
+         // A goal that a script moves cannot be dragged.
+         [](const Session& session) { return session.pointer_moves_goal; }},
     Hint{"Press 3: same hand, same wall.",
          "Same motor, too: this is anisotropic rendering. Watch the ghost force and the proxy drift disappear.",
          HintTarget::third_strategy,

@@ -121,7 +121,7 @@ class LessonArrangement {
     if (row.has_strategies) {
       for (const Strategy& strategy : strategy_catalog()) {
         if (strategy.id == StrategyId::full && !words_.has_full) continue;
-        const StrategyWords words{.name = words_.language.strategy_buttons[index_of(strategy.id)].name, .about = {}};
+        const StrategyWords words{.name = words_.language.strategy_buttons[index_of(strategy.id)].name, .about = ""};
         strategies.push_back({strategy.id, {}, std::string(words.name)});
         const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
         items.push_back({.lines = {}, .size = {width, points(row_height)}});

@@ -38,13 +38,15 @@ void add_strategy_button(const StageLayer& layer, const StageButton& button) {
   canvas.marks.push_back({Role::button, id,
                           Marker{to_world(canvas.camera, {left + canvas.points(53.0), middle}),
                                  strategy_style(id).shape, canvas.points(10.0), colour, theme.background, 0.0}});
-  const Vector<2> words{left + canvas.points(74.0),
-                        button.about.empty() ? line_top : line_top - 0.5 * letters.about.height};
-  canvas.text(Role::button, words, button.words, is_active ? letters.bold_words : letters.words,
+  const std::vector<std::string> lines =
+      broken_into_lines(button.words, button.box.extent().x - canvas.points(88.0), letters.bold_words, content.measure);
+  const double height = static_cast<double>(lines.size()) * letters.words.height;
+  const double about_height = button.about.empty() ? 0.0 : letters.about.height;
+  const Vector<2> words{left + canvas.points(74.0), middle - 0.5 * (height + about_height)};
+  canvas.text(Role::button, words, lines, is_active ? letters.bold_words : letters.words,
               is_active ? theme.text : theme.faint_text, false);
   if (button.about.empty()) return;
-  canvas.text(Role::button, words + Vector<2>(0.0, letters.words.height), button.about, letters.about, theme.faint_text,
-              false);
+  canvas.text(Role::button, words + Vector<2>(0.0, height), button.about, letters.about, theme.faint_text, false);
 }
 
 // Unmistakable from three metres while motors may push.
@@ -203,7 +205,7 @@ struct LargeNumber {
   std::string_view words;
 };
 
-void add_number(const StageLayer& layer, const LargeNumber& number, const Vector<2>& corner, double strength) {
+void add_number(const StageLayer& layer, const LargeNumber& number, const Vector<2>& corner) {
   const auto& [content, layout, canvas] = layer;
   const StageLetters& letters = layout.letters;
   const Theme& theme = content.theme;
@@ -212,45 +214,38 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
   const Colour shown = content.moment.is_between() ? mix(theme.background, colour, 0.55) : colour;
   const std::string digits = number.number.empty() ? "–" : number.number;
   const double width = content.measure(digits, letters.number).x;
-  canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number,
-              faded(shown, strength));
+  canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number, shown);
   canvas.text(Role::number,
               corner + Vector<2>(layout.number_width + canvas.points(14.0),
                                  0.79 * letters.number.height - 0.79 * letters.unit.height),
-              std::string(number.unit), letters.unit, faded(theme.faint_text, strength));
+              std::string(number.unit), letters.unit, theme.faint_text);
   canvas.text(Role::number, corner + Vector<2>(0.0, letters.number.height - canvas.points(6.0)),
-              std::string(number.words), letters.words, faded(theme.faint_text, strength));
+              std::string(number.words), letters.words, theme.faint_text);
 }
 
 }  // namespace
 
-void add_plate(const StageLayer& layer, const ScreenBox& words) {
+void add_plate(const StageLayer& layer, Role role, const ScreenBox& words) {
   const auto& [content, layout, canvas] = layer;
   const Colour plate = faded(content.theme.background, 0.85);
-  canvas.box(Role::sentence, words.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
+  canvas.box(role, words.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
 }
 
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.lesson) add_plate(layer, layout.sentence_box);
+  if (content.lesson) add_plate(layer, Role::sentence, layout.sentence_box);
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
 
 void add_numbers(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.hides.numbers) return;
-  const StageMoment& moment = content.moment;
-  // Rather farther down than away from the left side.
-  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
-                                                .extent = layout.numbers_size,
-                                                .region = layout.room(),
-                                                .wanted = layout.numbers_corner(),
-                                                .distance_cost = {3.0, 1.0},
-                                                .may_cover = true,
-                                                .is_never_missing = true});
-  if (!found || found->strength <= 0.0) return;
-  const StageNumbers numbers = stage_numbers(moment);
+  if (content.hides.numbers || !layout.numbers) return;
+  const ScreenBox& box = *layout.numbers;
+  // A hand that is dragged may be there until it is let go.
+  if (!canvas.labels.obstacles().is_free(box, 0.0, Clearance::if_possible)) add_plate(layer, Role::number, box);
+  canvas.labels.keep_clear(box);
+  const StageNumbers numbers = stage_numbers(content.moment);
   const std::optional<double>& ghost = numbers.ghost_force;
   const StageLanguage::Numbers& all = content.language.numbers;
   const std::string_view ghost_words = content.hides.force            ? all.ghost_force
@@ -260,13 +255,12 @@ void add_numbers(const StageLayer& layer) {
   const auto told = [](bool is_hidden, const std::optional<double>& number, const auto& words) -> std::string {
     return is_hidden ? "?" : number ? words(*number) : "";
   };
-  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, found->box.least,
-             found->strength);
-  const Vector<2> below(0.0, 0.5 * (layout.numbers_size.y + canvas.points(6.0)));
+  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, box.least);
+  const Vector<2> below(0.0, 0.5 * (box.extent().y + canvas.points(6.0)));
   add_number(
       layer,
       {told(content.hides.slide, numbers.slide, slide_number), "mm", numbers.slide ? all.slide : all.slide_unknown},
-      found->box.least + below, found->strength);
+      box.least + below);
 }
 
 void add_buttons(const StageLayer& layer) {

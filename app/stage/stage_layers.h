@@ -34,8 +34,8 @@ void add_hand_words(const StageLayer& layer);    // and beside some
 void add_motor_words(const StageLayer& layer);
 void keep_guess_clear(const StageLayer& layer);
 void add_guess(const StageLayer& layer);  // of where the handle comes to rest, if there is one
-// So that the edge of the wall does not run through words.
-void add_plate(const StageLayer& layer, const ScreenBox& words);
+// So that what is below words does not run through them.
+void add_plate(const StageLayer& layer, Role role, const ScreenBox& words);
 void add_sentence(const StageLayer& layer);  // above
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);       // above at the right, and below

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <ranges>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -23,6 +25,7 @@ constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
 constexpr double button_height = 56.0;
+constexpr double two_lines_padding = 8.0;  // above and below two lines in a button, together
 constexpr double header_height = 40.0;
 constexpr double header_gap = 4.0;
 constexpr double header_padding = 8.0;
@@ -60,6 +63,9 @@ struct StageTexts {
   std::vector<StageMenuRow> menu;  // empty: it is closed
 };
 
+// What the strategies' buttons say: less in each, and so in narrower ones.
+enum class CardWords : std::uint8_t { name_and_about, name, name_in_two_lines };
+
 class Arrangement {
  public:
   Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words,
@@ -72,14 +78,14 @@ class Arrangement {
   }
 
   // False where something does not fit.
-  bool arrange(bool in_full) {
+  bool arrange(CardWords shown) {
     layout_.strategies.clear();
     bool buttons_fit = false;
     if (words_.lesson != nullptr) {
       buttons_fit = arrange_lesson(*words_.lesson, words_, measure_, layout_);
     } else {
       arrange_header();
-      buttons_fit = arrange_buttons(in_full);
+      buttons_fit = arrange_buttons(shown);
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
@@ -167,18 +173,22 @@ class Arrangement {
     layout_.menu_box.most.y = top + points(gap) + menu_lines * layout_.letters.words.height;
   }
 
-  bool arrange_buttons(bool in_full) {
+  bool arrange_buttons(CardWords shown) {
     const double bottom = layout_.size.y - layout_.margin - points(10.0);
     double x = layout_.margin;
+    const bool is_broken = shown == CardWords::name_in_two_lines;
+    const double height =
+        is_broken ? 2.0 * layout_.letters.words.height + points(two_lines_padding) : points(button_height);
     for (const Strategy& strategy : strategy_catalog()) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
       StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
-      if (!in_full) words.about = {};
+      if (shown != CardWords::name_and_about) words.about = "";
+      StageButton button{strategy.id, {}, std::string(words.name), std::string(words.about)};
+      const std::vector<std::string> lines = broken_in_two(words.name, layout_.letters.bold_words, measure_);
+      if (is_broken) words.name = *std::ranges::max_element(lines, {}, &std::string::size);
       const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
-      layout_.strategies.push_back({strategy.id,
-                                    {{x, bottom - points(button_height)}, {x + width, bottom}},
-                                    std::string(words.name),
-                                    std::string(words.about)});
+      button.box = {{x, bottom - height}, {x + width, bottom}};
+      layout_.strategies.push_back(std::move(button));
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
@@ -195,6 +205,7 @@ class Arrangement {
       const Vector<2> corner(right - measure_(link, layout_.letters.words).x,
                              bottom - 0.5 * (points(button_height) + line));
       if (x <= corner.x) layout_.link = {StageCommand::link, {corner, {right, corner.y + line}}, link};
+      if (shown == CardWords::name_and_about && !layout_.link) return false;
     }
     return x - points(gap) <= right;
   }
@@ -241,22 +252,24 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
   const StageTexts texts{longest_text(measure, words),
                          words.shows_menu ? stage_menu(words.language, words.keys) : std::vector<StageMenuRow>()};
   const auto scale_after = [&](int steps) { return scale * std::pow(step, steps); };
-  const auto fits = [&](int steps, bool in_full) {
-    return Arrangement(size, scale_after(steps), measure, words, texts).arrange(in_full);
+  const auto fits = [&](int steps) {
+    return Arrangement(size, scale_after(steps), measure, words, texts).arrange(CardWords::name_in_two_lines);
   };
   // The first that fits.
   int too_large = -1;
   int fitting = 0;
-  if (!fits(0, false)) {
+  if (!fits(0)) {
     too_large = 0;
     fitting = most_steps;
   }
   while (fitting - too_large > 1) {
     const int between = (too_large + fitting) / 2;
-    (fits(between, false) ? fitting : too_large) = between;
+    (fits(between) ? fitting : too_large) = between;
   }
   Arrangement arrangement(size, scale_after(fitting), measure, words, texts);
-  if (!arrangement.arrange(true)) arrangement.arrange(false);
+  for (const CardWords shown : {CardWords::name_and_about, CardWords::name, CardWords::name_in_two_lines}) {
+    if (arrangement.arrange(shown)) break;
+  }
   return arrangement.finished();
 }
 

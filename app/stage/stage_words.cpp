@@ -18,6 +18,11 @@ Vector<2> lower_side(const Vector<2>& along) {
   return across.y > 0.0 || (across.y == 0.0 && across.x > 0.0) ? across : -across;
 }
 
+// Above stand the same numbers, larger.
+std::string once(const StageLayer& layer, std::string_view words, const std::string& number, std::string_view unit) {
+  return layer.layout.numbers ? std::string(words) : with_number(layer.content, words, number, unit);
+}
+
 void add_force_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
@@ -27,7 +32,7 @@ void add_force_words(const StageLayer& layer) {
   canvas.label(
       Role::ghost_force,
       {StageLabel::ghost,
-       {with_number(content, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
+       {once(layer, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
        layout.letters.bold_words,
        arrow->share_end(),
        arrow->tip(),
@@ -61,7 +66,7 @@ void add_slide_words(const StageLayer& layer) {
   if (content.hides.slide || !ruler || slide < least_shown_slide) return;
   canvas.label(Role::proxy_drift,
                {StageLabel::slide,
-                {with_number(content, content.language.labels.slid, slide_number(slide), "mm")},
+                {once(layer, content.language.labels.slid, slide_number(slide), "mm")},
                 layout.letters.bold_words,
                 ruler->from,
                 ruler->to,

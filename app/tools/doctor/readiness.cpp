@@ -288,7 +288,6 @@ class ReadinessCheck {
     switch (motors_->state) {
       case SafetyState::off:
       case SafetyState::fade: {
-        const OffReasonEntry& last = entry_of(motors_->last_reason);
         const OffReason why = motors_->reason != OffReason::none ? motors_->reason : motors_->last_reason;
         // What may still push is not said to be off, and nobody is asked to arm it, read or not.
         if (report_.may_still_push && why != OffReason::none) {
@@ -296,6 +295,7 @@ class ReadinessCheck {
         }
         if (motors_->reason == OffReason::none) {
           if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard());
+          const OffReasonEntry& last = entry_of(motors_->last_reason);
           if (!last.at_once && !last.is_safety_limit) break;
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }

@@ -14,7 +14,7 @@ namespace ghostforce::stage_hints_test {
 namespace {
 
 constexpr std::string_view drag_words = "drag me: your hand";
-constexpr std::string_view cure_words = "press 3: the cure";
+constexpr std::string_view cure_words = "press 3: anisotropic";
 constexpr std::string_view motor_words = "turn the motor by its ends";
 
 class StageHintsTest : public DrivenWindow {

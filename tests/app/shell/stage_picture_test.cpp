@@ -82,12 +82,12 @@ TEST(StagePicture, SaysItsNumbersInEveryFormat) {
   EXPECT_FALSE(naive.contains("mode"));
   EXPECT_FALSE(naive.contains("compare"));
   // 1.27 N and 12.0 mm: the closed form with the numbers of wall45.
-  for (const std::string_view words : {"ghost 1.27 N", "slid 12.0 mm", "handle", "your hand pulls here"}) {
+  for (const std::string_view words : {"ghost force 1.27 N", "slide 12.0 mm", "handle", "your hand pulls here"}) {
     EXPECT_TRUE(says(naive, words)) << words << " is not in\n" << words_in(naive);
   }
   const auto cured = described({"--strategy", "anisotropic"});
   EXPECT_EQ(cured["strategy"], "anisotropic");
-  EXPECT_FALSE(says(cured, "ghost 1.27 N"));
+  EXPECT_FALSE(says(cured, "ghost force 1.27 N"));
   EXPECT_TRUE(says(cured, "0.00")) << words_in(cured);
 }
 

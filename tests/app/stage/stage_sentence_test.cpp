@@ -86,7 +86,7 @@ void expect_true(std::string_view sentence, const Settings& settings, const Stag
     const bool is_of_any_moment = claims(sentence, {"along the wall", "por la pared", "a lo largo de la pared"});
     EXPECT_FALSE(moment.is_between() && !is_of_any_moment && moment.in_contact);
   }
-  if (claims(sentence, {"inferred", "se deduce", "Push the handle", "Empuja el mango"})) {
+  if (claims(sentence, {"estimated", "se estima", "Push the handle", "Empuja el mango"})) {
     EXPECT_TRUE(moment.is_measured);
   }
 }
