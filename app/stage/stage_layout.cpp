@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <ranges>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -65,6 +64,13 @@ struct StageTexts {
 
 // What the strategies' buttons say: less in each, and so in narrower ones.
 enum class CardWords : std::uint8_t { name_and_about, name, name_in_two_lines };
+
+// Of a name in two lines; a name has two words at most.
+std::string_view longer_line(std::string_view name) {
+  const std::size_t first = std::min(name.find(' '), name.size());
+  const std::string_view rest = name.substr(std::min(first + 1, name.size()));
+  return rest.size() > first ? rest : name.substr(0, first);
+}
 
 class Arrangement {
  public:
@@ -183,12 +189,12 @@ class Arrangement {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
       StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
       if (shown != CardWords::name_and_about) words.about = "";
-      StageButton button{strategy.id, {}, std::string(words.name), std::string(words.about)};
-      const std::vector<std::string> lines = broken_in_two(words.name, layout_.letters.bold_words, measure_);
-      if (is_broken) words.name = *std::ranges::max_element(lines, {}, &std::string::size);
-      const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
-      button.box = {{x, bottom - height}, {x + width, bottom}};
-      layout_.strategies.push_back(std::move(button));
+      const StrategyWords widest{.name = is_broken ? longer_line(words.name) : words.name, .about = words.about};
+      const double width = strategy_button_width(widest, layout_.unit, layout_.letters, measure_);
+      layout_.strategies.push_back({strategy.id,
+                                    {{x, bottom - height}, {x + width, bottom}},
+                                    std::string(words.name),
+                                    std::string(words.about)});
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
