@@ -168,7 +168,7 @@ std::optional<Vector<2>> LabelObstacles::find_block(const BlockRequest& request,
   double least_cost = std::numeric_limits<double>::infinity();
   std::vector<Interval> taken;
   const auto try_row = [&](double top) {
-    const double down = request.distance_cost.y * std::abs(top - request.wanted.y);
+    const double down = std::abs(top - request.wanted.y);
     if (down >= least_cost) return;
     Interval room{request.region.least.x, request.region.most.x - extent.x};
     if (room.least > room.most) return;
@@ -186,7 +186,7 @@ std::optional<Vector<2>> LabelObstacles::find_block(const BlockRequest& request,
     }
     const auto across = nearest_in(room, taken, request.wanted.x);
     if (!across) return;
-    const double cost = down + request.distance_cost.x * std::abs(*across - request.wanted.x);
+    const double cost = down + std::abs(*across - request.wanted.x);
     if (cost >= least_cost) return;
     least_cost = cost;
     best = Vector<2>(*across, top);

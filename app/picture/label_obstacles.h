@@ -33,7 +33,6 @@ class LabelObstacles {
     Vector<2> extent;
     ScreenBox region;                   // that it must lie in
     Vector<2> wanted;                   // its upper left corner, best of all
-    Vector<2> distance_cost;            // of each point away from there, across and down
     std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
     double air = 0.0;                   // to lines,
     double air_to_boxes = 0.0;          // and to boxes

@@ -229,7 +229,8 @@ std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBloc
   place.strength = std::min(1.0, place.strength + interval_s_ / fade_s);
   const auto box_at = [&](const Vector<2>& corner) { return ScreenBox{corner, corner + block.extent}; };
   const auto cost_of = [&](const Vector<2>& corner) {
-    return glm::dot(block.distance_cost, glm::abs(corner - block.wanted));
+    const Vector<2> apart = glm::abs(corner - block.wanted);
+    return apart.x + apart.y;
   };
   const auto can_stay = [&](Clearance clearance) {
     const ScreenBox box = box_at(place.corner);
@@ -242,7 +243,6 @@ std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBloc
       return obstacles_.find_block({.extent = block.extent,
                                     .region = block.region,
                                     .wanted = block.wanted,
-                                    .distance_cost = block.distance_cost,
                                     .edge = block.edge,
                                     .air = points(air),
                                     .air_to_boxes = points(new_label_air),
@@ -273,10 +273,9 @@ std::optional<LabelPlacer::PlacedBlock> LabelPlacer::place_block(const LabelBloc
       if (is_better && has_waited(place, is_still ? moves_on_s : moves_on_in_motion_s)) move_to(place, {}, *best);
     } else {
       if (!best && block.may_cover) best = find(Clearance::if_possible);
-      const bool comes_at_once = !memory_.has_begun || (place.is_taken && block.is_never_missing);
       place.is_taken = false;
       if (!best) place.waited_s = 0.0;
-      if (best && (comes_at_once || has_waited(place, comes_back_s))) move_to(place, {}, *best);
+      if (best && (!memory_.has_begun || has_waited(place, comes_back_s))) move_to(place, {}, *best);
     }
   }
   if (!place.is_taken) return std::nullopt;

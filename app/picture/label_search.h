@@ -24,10 +24,8 @@ struct LabelBlock {
   Vector<2> extent;
   ScreenBox region;
   Vector<2> wanted;                   // of its upper left corner
-  Vector<2> distance_cost{1.0, 1.0};  // of each point away from there, across and down
   std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
   bool may_cover = false;             // what is to be kept clear if possible, where there is no other place
-  bool is_never_missing = false;      // where it loses its place, it takes the next one at once
 };
 
 // Words that are to stand beside a mark.

@@ -50,7 +50,7 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
     begin_lesson(session, options.lesson);
   }
   if (session.lesson) {
-    session.stage_shown = lesson_view(session);
+    session.stage_shown = stage_view_of(session);
     session.fits_view = false;  // it stands there at once
   }
   return session;
@@ -155,7 +155,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
     session_.measured_k_u.reset();
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
-    session_.stage_shown = stage_view_of(session_.settings, session_.goal);
+    session_.stage_shown = stage_view_of(session_);
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
   }

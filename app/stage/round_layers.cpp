@@ -48,20 +48,23 @@ void add_battery(const StageLayer& layer) {
                                 ? std::string(all.first_round)
                                 : filled(all.energy_a_round, signed_decimal_text(1e3 * energy->last.energy, 1));
   const TextStyle& style = layout.letters.bold_words;
-  // A picture on paper is small, and its words do not change.
-  const Vector<2> cell(canvas.points(84.0), canvas.points(content.is_bare ? 110.0 : 170.0));
-  const std::string longest = content.is_bare ? words : filled(all.energy_a_round, "+888.8");
-  const Vector<2> extent(std::max(cell.x, content.measure(longest, style).x),
-                         cell.y + canvas.points(6.0) + style.height);
-  const auto found = canvas.labels.place_block({.id = StageLabel::numbers,
-                                                .extent = extent,
-                                                .region = layout.room(),
-                                                .wanted = layout.numbers_corner(),
-                                                .distance_cost = {3.0, 1.0},
-                                                .may_cover = content.is_bare,
-                                                .is_never_missing = true});
-  if (!found) return;
-  const Vector<2> corner = found->box.least;
+  // A picture on paper is small.
+  const Vector<2> cell(canvas.points(84.0), canvas.points(layout.numbers ? 170.0 : 110.0));
+  Vector<2> corner(0.0);
+  if (layout.numbers) {
+    add_place_of_numbers(layer);
+    corner = layout.numbers->least;
+  } else {
+    const Vector<2> extent(std::max(cell.x, content.measure(words, style).x),
+                           cell.y + canvas.points(6.0) + style.height);
+    const auto found = canvas.labels.place_block({.id = StageLabel::battery,
+                                                  .extent = extent,
+                                                  .region = layout.room(),
+                                                  .wanted = Vector<2>(layout.margin),
+                                                  .may_cover = true});
+    if (!found) return;
+    corner = found->box.least;
+  }
   const double width = canvas.width(3.5);
   const ScreenBox body{corner + Vector<2>(0.0, canvas.points(14.0)), corner + cell};
   const Vector<2> knob(canvas.points(34.0), canvas.points(18.0));

@@ -80,7 +80,7 @@ void add_whole_scene(const StageLayer& layer) {
   if (!layer.content.hides.slide) add_slide(layer);
   if (!layer.content.hides.force) add_stage_force(layer);
   add_handle(layer);
-  if (!layer.content.is_bare) add_numbers(layer);
+  add_numbers(layer);
   add_stage_words(layer);
 }
 
@@ -113,7 +113,7 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   StageLayout layout = layout_of(content, mode);
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = content.is_bare ? camera_on(content.shown.center, content.shown.width, content.size)
-                                        : stage_camera(content.shown, content.size, layout.bottom);
+                                        : stage_camera(content.shown, layout);
   StagePicture picture{.pane = {Vector<2>(0.0), camera, content.settings.active, std::move(earlier)},
                        .unit = layout.unit};
   // A lesson's are also what it says.
@@ -137,9 +137,10 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
   picture.scene = layout.scene();
+  picture.numbers = layout.numbers;
   picture.pivot = content.moment.handle;
   if (!is_map) {
-    const StageGrips grips = stage_grips(content.settings, content.moment, camera, layout.scene(), layout.unit);
+    const StageGrips grips = stage_grips(content.settings, content.moment, camera, layout);
     if (content.may_turn_motor) picture.motor_grips = grips.motor;
     if (content.may_turn_wall) picture.wall_grips = grips.wall;
   }

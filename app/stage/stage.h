@@ -27,7 +27,8 @@ struct StagePicture {
   Pane pane{};
   double unit = 1.0;  // a point of the design
   std::vector<StageButton> buttons{};
-  ScreenBox scene{};                                      // where a hand can be seen
+  ScreenBox scene{};                                      // where a hand can be seen,
+  std::optional<ScreenBox> numbers{};                     // but for below these
   Vector<2> pivot{0.0};                                   // that the motor's rail turns about [m]
   std::optional<std::array<Vector<2>, 2>> motor_grips{};  // empty: it cannot be turned
   std::optional<std::array<Vector<2>, 2>> wall_grips{};   // empty: it cannot be turned

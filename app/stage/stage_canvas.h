@@ -20,7 +20,7 @@ namespace ghostforce {
 struct StageLabel {
   // In the order of their importance.
   enum Id : LabelId {
-    numbers,  // the block of the two large numbers
+    battery,  // in a bare scene
     hint,     // what a newcomer is asked to do
     guess,
     measured_hand,

@@ -33,13 +33,13 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
 }
 
 // All of the circle, and all that comes to rest round it.
-SceneView view_of_round(const Settings& settings, const Circle& circle) {
+SceneView view_of_round(const Settings& settings, const Circle& circle, double reference_force) {
   constexpr int places = 12;
   std::vector<Vector<2>> goals;
   for (int i = 0; i < places; ++i) {
     goals.push_back(position_on(circle, static_cast<double>(i) / places / circle.turns_per_second));
   }
-  return stage_view_of(settings, goals);
+  return stage_view_of(settings, goals, reference_force);
 }
 
 // Each only while it is true of the picture; until then it waits.
@@ -164,32 +164,50 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
   }
 }
 
-// What a person moves is there at once. A view that fits what has happened is glided to: when the handle or the hand
-// has left the scene, and nobody holds anything.
+namespace {
+
+// Whether the numbers or what is round the scene lie over anything that must be seen.
+bool is_covered(const StagePicture& picture, std::span<const StageStroke> strokes, double view_width) {
+  const Camera& camera = picture.pane.camera;
+  const double unit = camera.points_per_metre * view_width / stage_view_width;
+  return std::ranges::any_of(strokes, [&](const StageStroke& stroke) {
+    const double radius = stroke.radius * unit;
+    const auto at = [&](const FitPoint& point) { return to_screen(camera, point.world) + point.offset * unit; };
+    ScreenPiece piece{at(stroke.from), at(stroke.to), 0.0};
+    const ScreenBox room = picture.scene.grown(-radius);
+    if (!contains(room, piece.from) || !contains(room, piece.to)) return true;
+    return picture.numbers && clip(picture.numbers->grown(radius), piece);
+  });
+}
+
+}  // namespace
+
+// What a person moves is there at once. A view that fits what has happened is glided to, once nobody holds anything:
+// where something of it is covered. Whoever has moved the view then keeps it until something else happens.
 void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
   constexpr double glides_s = 0.12;  // until two thirds of the way
   const bool is_other_scene = scene_ != session.scene;
   if (std::exchange(session.fits_view, false)) {
-    session.stage_shown = session.lesson ? lesson_view(session) : stage_view_of(session.settings, session.goal);
+    session.stage_shown = stage_view_of(session);
   } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
     view_ = session.stage_shown;
-  } else if ((frame.shown.is_past || !pointer_.is_holding()) && !transition_.is_running() && !show_.is_on()) {
-    const auto is_seen = [&](const Vector<2>& place) {
-      return contains(picture_.scene, to_screen(picture_.pane.camera, place));
-    };
+  } else if ((frame.shown.is_past || !pointer_.is_holding()) && !transition_.is_running() && !show_.is_on() &&
+             !view_moves_) {
+    const double reference_force = reference_force_of(session);
+    const bool is_other = fitted_settings_ != session.settings || fitted_goal_ != session.goal;
+    fitted_settings_ = session.settings;
+    fitted_goal_ = session.goal;
     const Snapshot& snapshot = frame.shown.snapshot;
     if (snapshot.measured || frame.shown.is_past) {
       // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
       const Vector<2> there =
           snapshot.measured ? snapshot.strategies[index_of(*snapshot.measured)].device : snapshot.goal;
       const std::array places{session.goal, there};
-      if (!is_seen(there)) session.stage_shown = stage_view_of(session.settings, places);
-    } else {
-      const StageMoment rest = stage_moment_at_rest(settings_now(session), session.goal);
-      const bool is_lost = !is_seen(rest.handle) || !is_seen(rest.proxy);
-      if (is_lost && session.pointer_moves_goal && is_seen(session.goal)) {
-        session.stage_shown = stage_view_of(session.settings, session.goal);
-      }
+      const bool is_seen = contains(picture_.scene, to_screen(picture_.pane.camera, there));
+      if (!is_seen) session.stage_shown = stage_view_of(session.settings, places, reference_force);
+    } else if (is_other && session.pointer_moves_goal) {
+      const auto strokes = stage_strokes(settings_now(session), session.goal, reference_force);
+      if (is_covered(picture_, strokes, session.stage_shown.width)) session.stage_shown = stage_view_of(session);
     }
   }
   wanted_view_ = session.stage_shown;
@@ -269,7 +287,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .theme = frame.theme,
       .measure = frame.measure,
       .shown = session.stage_shown,
-      .reference_force = reference_force_of(session.scene->settings, session.scene->goal.points.back()),
+      .reference_force = reference_force_of(session),
       .size = frame.size,
       .scale = frame.scale,
       .mode = session.stage.mode,
@@ -288,7 +306,6 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
     content.lesson = lesson_content(session);
     content.hides = lesson_secrets(session);
     content.guess = lesson_guess(session);
-    content.reference_force = lesson_reference_force(*session.lesson->lesson);
   }
   content.hides.numbers = content.hides.numbers || session.stage.hides_numbers;
   content.measuring = measuring_content(session);
@@ -297,7 +314,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
-    content.shown = view_of_round(shown.settings, reading.circle);
+    content.shown = view_of_round(shown.settings, reading.circle, content.reference_force);
     const std::optional<double> turn_s = turn_to_show(frame.loop);
     content.round = StageRound{
         turn_s ? last_loop(frame.history.moments(), shown.settings.active, *turn_s) : std::vector<Vector<2>>(),

@@ -63,6 +63,8 @@ class StageFace {
   bool view_moves_ = false;
   Settings seen_settings_;    // of the last frame
   Vector<2> seen_goal_{0.0};  // of the last frame [m]
+  Settings fitted_settings_;  // that the view was last made to fit, or found to
+  Vector<2> fitted_goal_{0.0};
 };
 
 }  // namespace ghostforce

@@ -95,6 +95,7 @@ struct HoverPanel {
 
 constexpr double hover_padding = 10.0;
 constexpr double menu_padding = 18.0;
+constexpr double plate_padding = 7.0;
 constexpr double air_round_panel = 3.0;  // in which no words stand
 
 std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
@@ -228,7 +229,7 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
 void add_plate(const StageLayer& layer, Role role, const ScreenBox& words) {
   const auto& [content, layout, canvas] = layer;
   const Colour plate = faded(content.theme.background, 0.85);
-  canvas.box(role, words.grown(canvas.points(7.0)), canvas.points(8.0), plate, plate, 0.0);
+  canvas.box(role, words.grown(canvas.points(plate_padding)), canvas.points(8.0), plate, plate, 0.0);
 }
 
 void add_sentence(const StageLayer& layer) {
@@ -238,13 +239,20 @@ void add_sentence(const StageLayer& layer) {
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
 
+void add_place_of_numbers(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!layout.numbers) return;
+  // A hand that is dragged may be there until it is let go.
+  const bool is_free = canvas.labels.obstacles().is_free(*layout.numbers, 0.0, Clearance::if_possible);
+  if (!is_free && !content.hides.numbers) add_plate(layer, Role::number, *layout.numbers);
+  canvas.labels.keep_clear(layout.numbers->grown(canvas.points(plate_padding)));
+}
+
 void add_numbers(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  add_place_of_numbers(layer);
   if (content.hides.numbers || !layout.numbers) return;
   const ScreenBox& box = *layout.numbers;
-  // A hand that is dragged may be there until it is let go.
-  if (!canvas.labels.obstacles().is_free(box, 0.0, Clearance::if_possible)) add_plate(layer, Role::number, box);
-  canvas.labels.keep_clear(box);
   const StageNumbers numbers = stage_numbers(content.moment);
   const std::optional<double>& ghost = numbers.ghost_force;
   const StageLanguage::Numbers& all = content.language.numbers;

@@ -36,7 +36,8 @@ void keep_guess_clear(const StageLayer& layer);
 void add_guess(const StageLayer& layer);  // of where the handle comes to rest, if there is one
 // So that what is below words does not run through them.
 void add_plate(const StageLayer& layer, Role role, const ScreenBox& words);
-void add_sentence(const StageLayer& layer);  // above
+void add_sentence(const StageLayer& layer);          // above
+void add_place_of_numbers(const StageLayer& layer);  // which labels leave free
 void add_numbers(const StageLayer& layer);
 void add_buttons(const StageLayer& layer);       // above at the right, and below
 void add_overlays(const StageLayer& layer);      // over all: the menu, and what is said of what is under the pointer

@@ -10,6 +10,7 @@
 #include "app/stage/lesson_layout.h"
 #include "app/stage/stage_places.h"
 #include "app/stage/stage_sentence.h"
+#include "app/state/stage_view.h"
 
 namespace ghostforce {
 namespace {
@@ -19,7 +20,8 @@ constexpr double line_of_em = 1.17;  // height of a line of text over its nomina
 constexpr double words_em = 24.0;    // a thirtieth of the height, which the last row of a lecture hall can read
 constexpr double about_em = 17.0;    // below the name of a strategy, which says enough without it
 constexpr double sentence_em = 29.0;
-constexpr double lesson_em = 27.0;  // of a lesson's text, which is longer than a sentence
+constexpr double lesson_em = 27.0;                    // of a lesson's text, which is longer than a sentence
+constexpr std::string_view widest_energy = "+888.8";  // of a round [mJ]
 constexpr double number_em = 74.0;
 constexpr double unit_em = 34.0;
 constexpr double edge_margin = 36.0;
@@ -97,7 +99,7 @@ class Arrangement {
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
     const bool sentence_fits = lines(texts_.longest, mark_width(true)).size() <= most;
     const double block_height =
-        layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + layout_.numbers_size.y;
+        layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + numbers_size_.y;
     return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
   }
 
@@ -117,13 +119,19 @@ class Arrangement {
     layout_.sentence_box.most =
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
-    const std::size_t most = std::max(layout_.sentence.size(), lines(texts_.longest, mark_width(true)).size());
+    std::size_t most = std::max(layout_.sentence.size(), lines(texts_.longest, mark_width(true)).size());
+    for (const std::string_view warning : words_of(words_.language.warnings)) {
+      most = std::max(most, lines(warning, mark_width(true)).size());
+    }
     layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
     layout_.bottom = layout_.lesson      ? layout_.lesson->top
                      : layout_.measuring ? layout_.measuring->box.least.y
                                          : layout_.strategies.front().box.least.y;
+    const Vector<2> corner(layout_.margin, layout_.words_end + points(6.0));
+    const ScreenBox numbers{corner, corner + numbers_size_};
+    if (numbers.most.x <= layout_.size.x && numbers.most.y <= layout_.bottom) layout_.numbers = numbers;
     return std::move(layout_);
   }
 
@@ -239,14 +247,18 @@ class Arrangement {
     for (const std::string_view words : words_of(words_.language.numbers)) {
       words_width = std::max(words_width, measure_(words, all.words).x);
     }
-    layout_.numbers_size = {std::max(layout_.number_width + unit_width, words_width),
-                            2.0 * (all.number.height + all.words.height) - points(6.0)};
+    // The battery of round and round stands there, too.
+    const std::string energy = filled(words_.language.labels.energy_a_round, widest_energy);
+    words_width = std::max(words_width, measure_(energy, all.bold_words).x);
+    numbers_size_ = {std::max(layout_.number_width + unit_width, words_width),
+                     2.0 * (all.number.height + all.words.height) - points(6.0)};
   }
 
   const MeasureText& measure_;
   const StageFrameWords& words_;
   const StageTexts& texts_;
   StageLayout layout_;
+  Vector<2> numbers_size_{0.0};
 };
 
 }  // namespace
@@ -300,13 +312,41 @@ StageLayout bare_stage_layout(const Vector<2>& size, double scale) {
   return layout;
 }
 
-Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom) {
-  constexpr Vector<2> middle{0.52, 0.60};      // of what is above `bottom`, from its upper left corner
+Camera stage_camera(const SceneView& shown, const StageLayout& layout) {
+  constexpr Vector<2> middle{0.52, 0.60};      // of what is above the row of buttons, from its upper left corner
   constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
-  Camera camera = camera_on(shown.center, shown.width, {size.x, with_buttons * bottom});
-  camera.size = size;
-  const Vector<2> offset = middle * Vector<2>(size.x, bottom) - 0.5 * size;
-  camera.center -= Vector<2>(offset.x, -offset.y) / camera.points_per_metre;
+  constexpr double things = 92.0;              // that are as large as letters are: how far they reach to each side
+  constexpr double gap = 8.0;
+  const double around = gap * layout.unit;
+  const double header_end = layout.lesson ? layout.lesson->title_box.most.y : layout.header_end().most.y;
+  const ScreenBox all{{around, std::max(layout.words_end, header_end) + around},
+                      {layout.size.x - around, layout.bottom - around}};
+  ScreenBox beside = all;
+  ScreenBox below = all;
+  if (layout.numbers) {
+    beside.least.x = layout.numbers->most.x + around;
+    below.least.y = layout.numbers->most.y + around;
+  }
+  Camera camera = camera_on(shown.center, shown.width, {layout.size.x, with_buttons * layout.bottom});
+  const double usual = camera.points_per_metre * shown.width / stage_view_width;
+  // Of a point of the view: what must be seen takes its room then, and as much more as letters are larger than usual.
+  const auto unit_in = [&](const ScreenBox& room) {
+    const Vector<2> most = room.extent() / stage_view_room;
+    const Vector<2> with_things =
+        (room.extent() - Vector<2>(2.0 * things * layout.unit)) / (stage_view_room - Vector<2>(2.0 * things));
+    constexpr double least = 0.1;
+    return std::clamp(std::min({most.x, most.y, with_things.x, with_things.y}), least * usual, usual);
+  };
+  const double unit_beside = unit_in(beside);
+  const double unit_below = unit_in(below);
+  const ScreenBox& room = unit_beside >= unit_below ? beside : below;
+  const double unit = std::max(unit_beside, unit_below);
+  camera.size = layout.size;
+  camera.points_per_metre = unit * stage_view_width / shown.width;
+  const Vector<2> half = 0.5 * unit * stage_view_room + Vector<2>(things * std::max(0.0, layout.unit - unit));
+  const Vector<2> place = glm::clamp(middle * Vector<2>(layout.size.x, layout.bottom), room.least + half,
+                                     glm::max(room.least + half, room.most - half));
+  camera.center -= to_screen_direction(place - 0.5 * layout.size) / camera.points_per_metre;
   return camera;
 }
 

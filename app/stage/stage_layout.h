@@ -26,9 +26,10 @@ double scale_over_stage(const Vector<2>& size, double scale) noexcept;
 // The same for a scene without sentence, numbers and buttons, which then has all of the picture.
 StageLayout bare_stage_layout(const Vector<2>& size, double scale);
 
-// Its middle stands a little to the right of and below the window's, clear of the numbers.
-// `bottom`: where the scene ends, as in the layout.
-Camera stage_camera(const SceneView& shown, const Vector<2>& size, double bottom);
+// What must be seen of a view (app/state/stage_view.h) lies in the room beside or below the numbers, whichever shows it
+// larger; there its middle stands a little to the right of and below the window's, if it can. The same for every
+// sentence.
+Camera stage_camera(const SceneView& shown, const StageLayout& layout);
 
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);

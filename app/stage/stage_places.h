@@ -93,7 +93,7 @@ struct StageLayout {
   StageLetters letters{};
   std::vector<std::string> sentence;  // its lines
   ScreenBox sentence_box;
-  double words_end = 0.0;                // of the longest text that may stand there: the numbers below keep their place
+  double words_end = 0.0;                // of the longest text that may stand there: what is below keeps its place
   std::optional<ScreenBox> mark;         // of a lesson's answer, before the sentence
   std::vector<StageButton> strategies;   // the row below
   std::vector<StageButton> header;       // above at the right; of a lesson the way out at most, without words
@@ -104,9 +104,9 @@ struct StageLayout {
   std::optional<StageButton> link;       // in place of the corner's, as words, where there is room
   std::optional<ScreenBox> ribbon;       // above the row, where there is one
   std::optional<LessonLayout> lesson;
-  double header_left = 0.0;     // where what stands above at the right begins
-  Vector<2> numbers_size{0.0};  // of the two numbers with their words
-  double number_width = 0.0;    // of the widest number
+  double header_left = 0.0;          // where what stands above at the right begins
+  std::optional<ScreenBox> numbers;  // below the sentence; empty: a bare scene, or a window too small for them
+  double number_width = 0.0;         // of the widest number
 
   // Between them lies the scene.
   double top = 0.0;
@@ -123,9 +123,8 @@ struct StageLayout {
     return {{header_left, 0.0}, {size.x, end}};
   }
 
-  // Where blocks of words may stand, and the best place for the two numbers: right below the sentence.
+  // Where blocks of words may stand.
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
-  Vector<2> numbers_corner() const { return {margin, words_end + 6.0 * unit}; }
 };
 
 // What the layout has to find room for.

@@ -7,6 +7,7 @@
 
 #include "app/stage/stage_layers.h"
 #include "app/stage/stage_scene.h"
+#include "app/state/stage_view.h"
 
 namespace ghostforce {
 namespace {
@@ -32,15 +33,22 @@ double fullness_of(const StageMoment& moment) {
   return moment.weights[index_of(StrategyId::full)];
 }
 
-// How far a line from `middle` goes before it leaves the box, at most `reach`.
-double reach_inside(const Vector<2>& middle, const Vector<2>& direction, double reach, const ScreenBox& box) {
-  ScreenPiece piece{middle, middle + direction * reach, 0.0};
-  if (!clip(box, piece)) return 0.0;
-  return glm::distance(middle, piece.to);
+// How much of a line from `middle` there is before it comes to the box. All of it, if it begins there.
+double reach_outside(const Vector<2>& middle, const Vector<2>& to, const std::optional<ScreenBox>& box) {
+  ScreenPiece piece{middle, to, 0.0};
+  const bool meets = box && !contains(*box, middle) && clip(*box, piece);
+  return glm::distance(middle, meets ? piece.from : to);
+}
+
+// Whoever takes hold of something must see it.
+std::optional<ScreenBox> beside_numbers(const StageLayout& layout, double distance) {
+  return layout.numbers ? std::optional(layout.numbers->grown(distance * layout.unit)) : std::nullopt;
 }
 
 std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                                   const ScreenBox& scene, double unit) {
+                                   const StageLayout& layout) {
+  constexpr double to_edges = 24.0;
+  const double unit = layout.unit;
   const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
   const Vector<2> middle = to_screen(camera, moment.handle);
   const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
@@ -49,7 +57,9 @@ std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& 
     const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
     const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     const Vector<2> direction = side * along;
-    return middle + direction * reach_inside(middle, direction, reach, scene.grown(-24.0 * unit));
+    ScreenPiece piece{middle, middle + direction * reach, 0.0};
+    if (!clip(layout.scene().grown(-to_edges * unit), piece)) return middle;
+    return middle + direction * reach_outside(middle, piece.to, beside_numbers(layout, to_edges));
   };
   return {end(-1.0), end(1.0)};
 }
@@ -113,8 +123,7 @@ void add_stage_wall(const StageLayer& layer) {
   canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
   canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
   if (!content.may_turn_wall) return;
-  if (const auto grips =
-          stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).wall) {
+  if (const auto grips = stage_grips(content.settings, content.moment, canvas.camera, layout).wall) {
     add_knobs(layer, *grips, StageGrip::wall);
   }
 }
@@ -135,8 +144,7 @@ void add_rail(const StageLayer& layer) {
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
                              canvas.points(7.0), Clearance::if_possible);
   };
-  const std::array<Vector<2>, 2> rail_piece =
-      rail_ends(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit);
+  const std::array<Vector<2>, 2> rail_piece = rail_ends(content.settings, content.moment, canvas.camera, layout);
   add(rail_piece);
   if (content.may_turn_motor) add_knobs(layer, rail_piece, StageGrip::motor);
   if (fullness <= 0.0) return;
@@ -219,11 +227,8 @@ std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const double ghost = signed_ghost_force(moment);
   const double longest = std::max(std::abs(share), std::abs(share + ghost));
   if (!(longest > 0.0)) return std::nullopt;
-  // Forces that would leave the picture are all drawn shorter, in proportion.
-  const double share_of_picture = content.is_bare ? 0.33 : 0.45;
-  const double most = share_of_picture * std::min(layout.size.x, 1.4 * layout.size.y);
-  const double usual = (content.is_bare ? most : canvas.points(235.0)) / content.reference_force;
-  const double per_newton = std::min(usual, most / longest);
+  const double per_newton = arrow_points_per_newton(content.reference_force, longest) * canvas.camera.points_per_metre *
+                            content.shown.width / stage_view_width;
   if (longest * per_newton < canvas.points(3.0)) return std::nullopt;
   const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
   Vector<2> direction = to_screen_direction(world);
@@ -337,17 +342,26 @@ void add_handle(const StageLayer& layer) {
 }
 
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                       const ScreenBox& scene, double unit) {
-  StageGrips grips{rail_ends(settings, moment, camera, scene, unit), {}};
+                       const StageLayout& layout) {
+  StageGrips grips{rail_ends(settings, moment, camera, layout), {}};
   // The wall's edge, cut to the scene.
   const Vector<2> at = to_screen(camera, settings.wall_point);
   const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));
   const Vector<2> along{-normal.y, normal.x};
   const double reach = glm::distance(at, 0.5 * camera.size) + glm::length(camera.size);
   ScreenPiece edge{at - along * reach, at + along * reach, 0.0};
+  constexpr double to_edges = 26.0;
   constexpr double shortest = 120.0;  // of an edge that can be turned by its ends
-  const bool is_seen = clip(scene.grown(-26.0 * unit), edge) && glm::distance(edge.from, edge.to) > shortest * unit;
-  if (is_seen) grips.wall = std::array{edge.from, edge.to};
+  if (!clip(layout.scene().grown(-to_edges * layout.unit), edge)) return grips;
+  std::array<Vector<2>, 2> ends{edge.from, edge.to};
+  const Vector<2> middle = 0.5 * (edge.from + edge.to);
+  const auto numbers = beside_numbers(layout, to_edges);
+  for (Vector<2>& end : ends) {
+    const Vector<2> way = end - middle;
+    const bool is_covered = numbers && contains(*numbers, end);
+    if (is_covered) end = middle + glm::normalize(way) * reach_outside(middle, end, numbers);
+  }
+  if (glm::distance(ends[0], ends[1]) > shortest * layout.unit) grips.wall = ends;
   return grips;
 }
 

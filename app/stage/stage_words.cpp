@@ -29,16 +29,15 @@ void add_force_words(const StageLayer& layer) {
   const auto arrow = force_arrow(layer);
   if (!arrow) return;
   if (content.hides.force || glm::length(moment.ghost_force) < least_shown_force) return;
-  canvas.label(
-      Role::ghost_force,
-      {StageLabel::ghost,
-       {once(layer, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
-       layout.letters.bold_words,
-       arrow->share_end(),
-       arrow->tip(),
-       canvas.points(arrow_width),
-       lower_side(arrow->direction)},
-      content.theme.strategy_text[index_of(StrategyId::naive)]);
+  canvas.label(Role::ghost_force,
+               {StageLabel::ghost,
+                {once(layer, content.language.labels.ghost, force_number(glm::length(moment.ghost_force)), "N")},
+                layout.letters.bold_words,
+                arrow->share_end(),
+                arrow->tip(),
+                canvas.points(arrow_width),
+                lower_side(arrow->direction)},
+               content.theme.strategy_text[index_of(StrategyId::naive)]);
 }
 
 void add_share_words(const StageLayer& layer) {
@@ -203,7 +202,7 @@ void add_motor_words(const StageLayer& layer) {
       : is_asked_to_turn
           ? std::string(all.motor_to_turn)
           : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
-  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout.scene(), canvas.unit).motor;
+  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout).motor;
   const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
   canvas.label(Role::motor_axis,
                {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,

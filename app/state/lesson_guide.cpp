@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <glm/common.hpp>
@@ -313,7 +314,9 @@ StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept {
   return mode;
 }
 
-SceneView lesson_view(const Session& session) {
+SceneView stage_view_of(const Session& session) {
+  const double reference_force = reference_force_of(session);
+  if (!session.lesson) return stage_view_of(session.settings, std::span(&session.goal, 1), reference_force);
   const LessonState& lesson = *session.lesson;
   std::vector<Vector<2>> goals{hand_of(session)};
   for (const auto* const each : {&lesson_step(lesson).set_up, &lesson_step(lesson).reveal}) {
@@ -323,12 +326,13 @@ SceneView lesson_view(const Session& session) {
                               settings.wall_normal_angle == session.settings.wall_normal_angle;
     if (is_same_wall) goals.push_back((*each)->goal);
   }
-  return stage_view_of(session.settings, goals);
+  return stage_view_of(session.settings, goals, reference_force);
 }
 
-double lesson_reference_force(const Lesson& lesson) {
+double reference_force_of(const Session& session) {
+  if (!session.lesson) return reference_force_of(session.scene->settings, session.scene->goal.points.back());
   double greatest = 0.1;  // [N], so that nothing is divided by
-  for (const LessonStep& step : lesson.steps) {
+  for (const LessonStep& step : session.lesson->lesson->steps) {
     for (const auto* const set_up : {&step.set_up, &step.reveal}) {
       if (*set_up) greatest = std::max(greatest, reference_force_of((*set_up)->scene.settings, (*set_up)->goal));
     }

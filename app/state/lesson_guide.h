@@ -58,10 +58,11 @@ StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept;
 const LessonStep& lesson_step(const LessonState& lesson) noexcept;
 const LessonStepState& lesson_step_state(const LessonState& lesson) noexcept;
 
-// What of the world a step shows: its hand, before and after the question is answered: the picture stands still.
-SceneView lesson_view(const Session& session);
-// Whose arrow has the usual length: the strongest push of the whole lesson, so that arrows of its steps can be compared
-// [N].
-double lesson_reference_force(const Lesson& lesson);
+// What of the world the stage shows when it shows everything. In a step of a lesson its hand, before and after the
+// question is answered: the picture stands still.
+SceneView stage_view_of(const Session& session);
+// Whose arrow has the usual length: in a lesson the strongest push of all of it, so that arrows of its steps can be
+// compared [N].
+double reference_force_of(const Session& session);
 
 }  // namespace ghostforce

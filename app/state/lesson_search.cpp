@@ -30,7 +30,7 @@ SceneView view_of(const LessonStep& task, const SetUp& start) {
         revealed.wall_point == settings.wall_point && revealed.wall_normal_angle == settings.wall_normal_angle;
     if (is_same_wall) goals.push_back(task.reveal->goal);
   }
-  return stage_view_of(settings, goals);
+  return stage_view_of(settings, goals, reference_force_of(settings, start.goal));
 }
 
 bool is_about_rounds(const LessonCondition& condition) {

@@ -1,44 +1,85 @@
 #include "app/state/stage_view.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
-#include "app/picture/screen_box.h"
+#include <glm/geometric.hpp>
+
+#include "app/state/stage_moment.h"
 #include "core/prediction.h"
 
 namespace ghostforce {
+namespace {
 
-SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals) {
-  // Shares of the picture's width, and of three quarters of it.
-  constexpr double across = 0.50;
-  constexpr double upwards = 0.32;
-  constexpr double least_width = 0.03;          // [m]
-  constexpr double arrow = 0.20;                // share of the width that the naïve device's is long
-  ScreenBox box{goals.front(), goals.front()};  // of the world
-  const auto width = [&] { return std::max({least_width, box.extent().x / across, box.extent().y / upwards}); };
-  for (const Vector<2>& goal : goals) {
-    box.include(goal);
-    box.include(projection(wall_of(settings), goal));
-    for (const PredictedEquilibrium& rest : predicted_equilibria(settings, goal)) {
-      box.include(rest.at.device);
-      box.include(rest.at.proxy);
+constexpr double usual_arrow = 235.0;
+constexpr double longest_arrow = 300.0;
+
+// How far things reach from their middle, with their rims.
+constexpr double handle_reach = 31.0;
+constexpr double proxy_reach = 20.0;
+constexpr double arm_length = 70.0;
+constexpr double arm_reach = 23.0;
+constexpr double arrow_reach = 19.0;
+constexpr double ruler_distance = 34.0;  // from the wall
+constexpr double ruler_reach = 12.0;
+
+}  // namespace
+
+double arrow_points_per_newton(double reference_force, double greatest) noexcept {
+  return std::min(usual_arrow / reference_force, longest_arrow / greatest);
+}
+
+std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>& goal, double reference_force) {
+  std::vector<StageStroke> strokes;
+  const Vector<2> out = to_screen_direction(wall_of(settings).normal);
+  for (const Strategy& strategy : strategy_catalog()) {
+    Settings each = settings;
+    each.active = strategy.id;
+    const StageMoment moment = stage_moment_at_rest(each, goal);
+    strokes.push_back({{moment.handle}, {goal}, handle_reach});
+    // The arm lies between these two, depending on how far away it is seen.
+    const double pull = glm::distance(goal, moment.handle);
+    const Vector<2> away = pull > 0.0 ? to_screen_direction(goal - moment.handle) / pull : -out;
+    for (const Vector<2>& arm : {away, -out}) strokes.push_back({{goal}, {goal, arm * arm_length}, arm_reach});
+    if (!moment.in_contact) continue;
+    strokes.push_back({{moment.handle}, {moment.proxy}, proxy_reach});
+    strokes.push_back({{moment.expected_rest}, {moment.expected_rest}, proxy_reach});
+    const Vector<2> ruler = out * ruler_distance;
+    strokes.push_back({{moment.expected_contact}, {moment.expected_contact, ruler}, ruler_reach});
+    strokes.push_back({{moment.expected_contact, ruler}, {moment.expected_contact + moment.slide, ruler}, ruler_reach});
+    const double share = glm::length(moment.wall_share);
+    const double whole = share + signed_ghost_force(moment);
+    const Vector<2> force = share > 0.0 ? moment.wall_share / share : moment.ghost_force;
+    if (const double length = glm::length(force); length > 0.0) {
+      const double points = arrow_points_per_newton(reference_force, std::max(share, std::abs(whole)));
+      const Vector<2> along = to_screen_direction(force) * (points / length);
+      strokes.push_back({{moment.handle, along * std::min(0.0, whole)},
+                         {moment.handle, along * std::max(share, whole)},
+                         arrow_reach});
     }
   }
-  // Arrows are as long as the picture has it.
-  const double length = arrow * width();
+  return strokes;
+}
+
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals, double reference_force) {
+  constexpr double least_width = 0.03;  // [m]
+  std::vector<FitPoint> points;
   for (const Vector<2>& goal : goals) {
-    const auto equilibria = predicted_equilibria(settings, goal);
-    const double usual = glm::length(equilibria[index_of(StrategyId::naive)].at.force);
-    if (!(usual > 0.0)) continue;
-    for (const PredictedEquilibrium& rest : equilibria) {
-      const double longest = std::max(1.0, glm::length(rest.at.force) / usual);
-      box.include(rest.at.device + rest.at.force / usual * (length / longest));
+    for (const StageStroke& stroke : stage_strokes(settings, goal, reference_force)) {
+      for (const FitPoint& end : {stroke.from, stroke.to}) {
+        for (const double reach : {-stroke.radius, stroke.radius}) {
+          points.push_back({end.world, end.offset + Vector<2>(reach)});
+        }
+      }
     }
   }
-  return within_scene_limits({.center = 0.5 * (box.least + box.most), .width = width()});
+  const double scale = fitting_scale(points, stage_view_room, stage_view_width / least_width);
+  return within_scene_limits({.center = fitting_center(points, scale), .width = stage_view_width / scale});
 }
 
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
-  return stage_view_of(settings, std::span(&goal, 1));
+  return stage_view_of(settings, std::span(&goal, 1), reference_force_of(settings, goal));
 }
 
 double reference_force_of(const Settings& settings, const Vector<2>& goal) {

@@ -80,7 +80,7 @@ Session session_of(const PictureRequest& request, const Moment& moment) {
   session.pointer_moves_goal = false;
   session.input = scripted_hand.name;
   session.goal = request.scene.goal.points.back();
-  session.stage_shown = stage_view_of(session.settings, moment.snapshot.goal);
+  session.stage_shown = stage_view_of(session.settings, std::array{moment.snapshot.goal}, reference_force_of(session));
   session.time_s = moment.snapshot.time_s;
   session.face = request.face;
   session.language = request.language;
@@ -160,7 +160,7 @@ bool has_run_away(const Snapshot& snapshot) {
 SceneView stage_view_of(const Scene& scene, const ClipTimes& times) {
   std::vector<Vector<2>> goals;
   for (std::int64_t i = 0; i < frame_count(times); ++i) goals.push_back(goal_at(scene.goal, time_of_frame(times, i)));
-  return stage_view_of(scene.settings, goals);
+  return stage_view_of(scene.settings, goals, reference_force_of(scene.settings, scene.goal.points.back()));
 }
 
 }  // namespace
@@ -362,7 +362,7 @@ void show_lesson(Session& session, const LessonPicture& picture) {
   begin_lesson(session, picture.lesson);
   show_lesson_step(session, picture.step);
   if (picture.answer) settle_in_lesson(session, *picture.answer - 1);
-  session.stage_shown = lesson_view(session);
+  session.stage_shown = stage_view_of(session);
   session.fits_view = false;  // it stands there at once
 }
 

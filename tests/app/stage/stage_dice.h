@@ -49,6 +49,7 @@ struct StageCase {
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
   std::string_view warning{};
+  bool is_bare = false;
   bool shows_menu = false;
 
   template <typename Use>
@@ -81,6 +82,7 @@ struct StageCase {
                             .lesson = lesson,
                             .hides = hides,
                             .warning = std::string(warning),
+                            .is_bare = is_bare,
                             .shows_menu = shows_menu});
   }
   StagePicture compose(LabelMemory& memory, double interval_s) const {
@@ -129,7 +131,7 @@ inline StageCase stage_case_by(PictureDice& dice, const StageLanguage& language 
   Vector<2> goal = seen_goal;
   if (dice.one_in(2)) {
     // Where a pointer can drag it to.
-    const Camera camera = stage_camera(made.shown, made.size, 0.86 * made.size.y);
+    const Camera camera = camera_on(made.shown.center, made.shown.width, made.size);
     goal = to_world(camera, made.size * Vector<2>(dice.between(0.0, 1.0), dice.between(0.0, 1.0)));
     made.moment = stage_moment_at_rest(settings, goal);
   }

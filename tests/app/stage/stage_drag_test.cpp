@@ -130,7 +130,7 @@ TEST(StageDrag, OfTheHandMovesWordsSmoothlyWithAnySettings) {
     StageCase shown = stage_case_at(settings, dice.goal(settings));
     shown.size = dice.size();
     shown.scale = dice.scale();
-    const Camera camera = stage_camera(shown.shown, shown.size, 0.86 * shown.size.y);
+    const Camera camera = camera_on(shown.shown.center, shown.shown.width, shown.size);
     const auto anywhere = [&] {
       return to_world(camera, shown.size * Vector<2>(dice.between(0.05, 0.95), dice.between(0.05, 0.95)));
     };

@@ -17,7 +17,7 @@ namespace ghostforce {
 inline const MeasureText measure = measure_vector_text;
 inline constexpr double rounding = 0.02;  // [points]
 
-// What may pass below the two numbers, with their halo, where there is no room beside it.
+// What may pass below the two numbers, with their halo.
 inline bool is_soft(const Extent& extent) {
   return extent.role == Role::motor_axis || extent.role == Role::wall ||
          (extent.role == Role::expected_contact && extent.corners.size() == 2);
@@ -53,7 +53,7 @@ struct Drawn {
   bool has_panel(const ScreenBox& box) const {
     return std::ranges::any_of(picture.pane.marks, [&](const Mark& mark) {
       const auto* const panel = std::get_if<Box>(&mark.form);
-      if (panel == nullptr || mark.role != Role::hint) return false;
+      if (panel == nullptr || (mark.role != Role::hint && mark.role != Role::number)) return false;
       const Vector<2> corner = to_screen(picture.pane.camera, panel->corner) + panel->offset;
       return lies_in(box, {corner, corner + panel->size});
     });
@@ -130,6 +130,31 @@ inline std::vector<std::string> faults_of(const StageCase& shown, const Drawn& d
     }
   }
   return faults;
+}
+
+// What of the scene lies under the numbers, a button or the sentence, or outside. Empty: nothing.
+inline std::string covered_by_frame(const Drawn& drawn) {
+  const std::set<Role> scene{Role::device,      Role::proxy,         Role::goal,          Role::hand,
+                             Role::hand_spring, Role::tracking_link, Role::wall_share,    Role::ghost_force,
+                             Role::proxy_drift, Role::motor_axis,    Role::expected_rest, Role::expected_contact,
+                             Role::handle};
+  std::vector<ScreenBox> over{*drawn.picture.numbers};
+  for (const StageButton& button : drawn.picture.buttons) over.push_back(button.box);
+  for (const LabelExtent& label : drawn.extents.labels) {
+    if (label.role == Role::sentence) over.push_back(label.box);
+  }
+  const ScreenBox window{Vector<2>(0.0), drawn.picture.pane.camera.size};
+  for (const Extent& mark : drawn.extents.marks) {
+    if (!scene.contains(mark.role)) continue;
+    const bool is_inside = std::ranges::all_of(mark.corners, [&](const Vector<2>& at) { return contains(window, at); });
+    if (!is_inside) return fmt::format("{} is outside", role_name(mark.role));
+    for (const ScreenBox& box : over) {
+      if (reach_into(box, mark) > rounding) {
+        return fmt::format("{} is covered at ({:.0f}, {:.0f})", role_name(mark.role), box.least.x, box.least.y);
+      }
+    }
+  }
+  return {};
 }
 
 inline std::string words_for(const StageCase& shown) {
