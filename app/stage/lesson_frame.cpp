@@ -27,7 +27,7 @@ void add_header(const StageLayer& layer) {
   const StageLesson& lesson = *content.lesson;
   const LessonLayout& places = *layout.lesson;
   const Theme& theme = content.theme;
-  add_plate(layer, Role::sentence, places.title_box);
+  add_plate(layer, Role::sentence, places.title_box, under_sentences);
   canvas.text(Role::sentence, places.title_box.least, places.title, layout.letters.bold_words, theme.text);
   canvas.text(Role::sentence, places.place, lesson.place, layout.letters.words, theme.text);
   for (std::size_t i = 0; i < places.dots.size(); ++i) {

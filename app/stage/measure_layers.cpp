@@ -67,7 +67,8 @@ void add_measure(const StageLayer& layer) {
   const Theme& theme = content.theme;
   const StageMeasuring& measuring = *content.measuring;
   const Vector<2> hand = canvas.at(content.moment.goal);
-  canvas.labels.keep_clear(hand, hand, canvas.points(measuring_ring + 0.5 * ring_width));
+  constexpr double air = 2.0;
+  canvas.labels.keep_clear(hand, hand, canvas.points(measuring_ring + air) + canvas.width(0.5 * ring_width));
   add_whole_scene(layer);
   if (measuring.result) {
     add_arc(canvas, hand, 1.0, canvas.width(ring_width), theme.accent);

@@ -65,7 +65,12 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
                       .camera = {.size = content.size},
                       .box = {}};
   const double bottom = layout.bottom - 10.0 * layout.unit;
-  layout.ribbon = ScreenBox{{layout.margin, bottom - ribbon_height(ribbon)}, {layout.size.x - layout.margin, bottom}};
+  const double top = bottom - ribbon_height(ribbon);
+  // With large letters, beside the numbers.
+  const double gap = 14.0 * layout.unit;
+  const bool has_room = !layout.numbers || layout.numbers->most.y + gap <= top;
+  const double left = has_room ? layout.margin : layout.numbers->most.x + gap;
+  layout.ribbon = ScreenBox{{left, top}, {layout.size.x - layout.margin, bottom}};
   layout.bottom = layout.ribbon->least.y;
 }
 

@@ -135,14 +135,30 @@ void take_words_away(const StageLayer& layer, const ScreenBox& box) {
   };
   // A map's words, and those of buttons, each stand for themselves.
   const auto stands_alone = [](const Mark& mark) { return mark.role == Role::map || mark.role == Role::button; };
+  // A line that leads to words goes with them.
+  Marks& marks = canvas.marks;
+  const auto leads_to_words = [&](std::size_t i) {
+    return std::holds_alternative<Line>(marks[i].form) && i + 1 < marks.size() && marks[i + 1].role == marks[i].role &&
+           std::holds_alternative<Label>(marks[i + 1].form);
+  };
+  const auto is_crossed = [&](const Mark& mark) {
+    const Line& line = std::get<Line>(mark.form);
+    ScreenPiece piece{to_screen(canvas.camera, line.from), to_screen(canvas.camera, line.to), 0.0};
+    return clip(box, piece);
+  };
   std::vector<Role> covered;
-  for (const Mark& mark : canvas.marks) {
-    if (!stands_alone(mark) && is_below(mark)) covered.push_back(mark.role);
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    if (stands_alone(marks[i])) continue;
+    if (is_below(marks[i]) || (leads_to_words(i) && is_crossed(marks[i]))) covered.push_back(marks[i].role);
   }
-  std::erase_if(canvas.marks, [&](const Mark& mark) {
-    if (stands_alone(mark)) return is_below(mark);
-    return std::holds_alternative<Label>(mark.form) && std::ranges::count(covered, mark.role) > 0;
-  });
+  Marks kept;
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    const bool belongs_to_words = std::holds_alternative<Label>(marks[i].form) || leads_to_words(i);
+    const bool goes = stands_alone(marks[i]) ? is_below(marks[i])
+                                             : belongs_to_words && std::ranges::count(covered, marks[i].role) > 0;
+    if (!goes) kept.push_back(marks[i]);
+  }
+  marks = std::move(kept);
 }
 
 void add_hover_panel(const StageLayer& layer) {
@@ -226,15 +242,15 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
 
 }  // namespace
 
-void add_plate(const StageLayer& layer, Role role, const ScreenBox& words) {
+void add_plate(const StageLayer& layer, Role role, const ScreenBox& words, double strength) {
   const auto& [content, layout, canvas] = layer;
-  const Colour plate = faded(content.theme.background, 0.85);
+  const Colour plate = faded(content.theme.background, strength);
   canvas.box(role, words.grown(canvas.points(plate_padding)), canvas.points(8.0), plate, plate, 0.0);
 }
 
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.lesson) add_plate(layer, Role::sentence, layout.sentence_box);
+  if (content.lesson) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
@@ -242,9 +258,10 @@ void add_sentence(const StageLayer& layer) {
 void add_place_of_numbers(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   if (!layout.numbers) return;
-  // A hand that is dragged may be there until it is let go.
+  // A hand that is dragged may be there until it is let go, and must be seen, too.
+  constexpr double under_numbers = 0.6;
   const bool is_free = canvas.labels.obstacles().is_free(*layout.numbers, 0.0, Clearance::if_possible);
-  if (!is_free && !content.hides.numbers) add_plate(layer, Role::number, *layout.numbers);
+  if (!is_free && !content.hides.numbers) add_plate(layer, Role::number, *layout.numbers, under_numbers);
   canvas.labels.keep_clear(layout.numbers->grown(canvas.points(plate_padding)));
 }
 

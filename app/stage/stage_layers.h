@@ -35,7 +35,8 @@ void add_motor_words(const StageLayer& layer);
 void keep_guess_clear(const StageLayer& layer);
 void add_guess(const StageLayer& layer);  // of where the handle comes to rest, if there is one
 // So that what is below words does not run through them.
-void add_plate(const StageLayer& layer, Role role, const ScreenBox& words);
+void add_plate(const StageLayer& layer, Role role, const ScreenBox& words, double strength);
+inline constexpr double under_sentences = 0.85;      // its strength
 void add_sentence(const StageLayer& layer);          // above
 void add_place_of_numbers(const StageLayer& layer);  // which labels leave free
 void add_numbers(const StageLayer& layer);

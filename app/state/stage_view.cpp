@@ -17,6 +17,7 @@ constexpr double longest_arrow = 300.0;
 
 // How far things reach from their middle, with their rims.
 constexpr double handle_reach = 31.0;
+constexpr double rails_reach = 90.0;  // of two motors
 constexpr double proxy_reach = 20.0;
 constexpr double arm_length = 70.0;
 constexpr double arm_reach = 23.0;
@@ -38,6 +39,7 @@ std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>
     each.active = strategy.id;
     const StageMoment moment = stage_moment_at_rest(each, goal);
     strokes.push_back({{moment.handle}, {goal}, handle_reach});
+    if (strategy.has_every_motor) strokes.push_back({{moment.handle}, {moment.handle}, rails_reach});
     // The arm lies between these two, depending on how far away it is seen.
     const double pull = glm::distance(goal, moment.handle);
     const Vector<2> away = pull > 0.0 ? to_screen_direction(goal - moment.handle) / pull : -out;
