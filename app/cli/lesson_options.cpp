@@ -73,6 +73,7 @@ std::vector<Contradiction> beside_kiosk() {
       Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
       Contradiction{"--record", "", "nothing of a visit is stored"},
       Contradiction{"--record-session", "", "nothing of a visit is stored"},
+      Contradiction{"--audience", "", "visitors see all that there is"},
       Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
   };
   for (const InputChoice& hand : hands_moving_by_themselves) {

@@ -62,6 +62,7 @@ struct RunOptions {
   FalconSetUp falcon;
   std::string shader_folder;
   bool no_hints = false;
+  bool has_audience = false;
   std::optional<double> printed_hz;
   bool speaks = false;
   std::optional<double> exit_after_s;
@@ -217,6 +218,7 @@ int run(const RunOptions& options) {
     keeper.keep(application.session());
     progress_keeper.keep(application.session().lesson_progress);
   };
+  if (options.has_audience) application.act(ToggleAudience{});
   application.start();
   SleepWatch sleep_watch;
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
@@ -319,6 +321,9 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
   options->kiosk.attach(command);
   options->falcon.attach(command, files);
+  command.add_flag("--audience", options->has_audience,
+                   "Open a second window for the audience, with the stage alone; the first one has your notes "
+                   "(docs/stage.md)");
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
   command
       .add_option("--print-values", options->printed_hz,
@@ -346,6 +351,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
       "  ghostforce run my_scene.toml --input script\n"
       "  ghostforce run --lesson ghost --language es\n"
       "  ghostforce run --kiosk\n"
+      "  ghostforce run --audience\n"
       "  ghostforce run --record visit.csv\n"
       "  ghostforce run --record-session visit.session\n"
       "  ghostforce run --print-values 5 > values.tsv\n"

@@ -1,6 +1,7 @@
 // Canvas: pixels in memory that are drawn on in place of a window's own. On the thread that holds the context.
 #pragma once
 
+#include "app/files/image.h"
 #include "app/paint/handle.h"
 
 namespace ghostforce::gl {
@@ -13,6 +14,8 @@ class Canvas {
 
   int width() const noexcept { return width_; }  // [px]
   int height() const noexcept { return height_; }
+  // What is drawn and read is its pixels again.
+  void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.name()); }
 
  private:
   int width_;
@@ -20,5 +23,8 @@ class Canvas {
   Framebuffer framebuffer_;
   Renderbuffer colours_;
 };
+
+// What was drawn on the framebuffer that is bound, from its lower left corner [px].
+Image pixels_drawn(int width, int height);
 
 }  // namespace ghostforce::gl

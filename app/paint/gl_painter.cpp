@@ -182,10 +182,19 @@ void GlPainter::paint_instances(const PixelRect& rect, std::span<const PixelRect
 
 void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale,
                       int pixel_width, int pixel_height) {
+  const double density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
+  paint_without_words(panes, theme, corner, density, pixel_width, pixel_height);
+  for (const Pane& pane : panes) {
+    const ImVec2 at{corner.x + static_cast<float>(pane.corner.x), corner.y + static_cast<float>(pane.corner.y)};
+    paint_labels(pane.marks, pane.camera, fonts_, at, text_scale, *ImGui::GetBackgroundDrawList());
+  }
+}
+
+void GlPainter::paint_without_words(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double density,
+                                    int pixel_width, int pixel_height) {
   const bool has_gaps = panes.size() > 1;
   // Between panes the target shows through.
   fill(has_gaps ? theme.panel_border : theme.background, {0, 0, pixel_width, pixel_height});
-  const double density = static_cast<double>(ImGui::GetIO().DisplayFramebufferScale.x);
   const auto pixels = [density](double points) { return static_cast<int>(std::lround(points * density)); };
   for (const Pane& pane : panes) {
     const Vector<2> at = Vector<2>(static_cast<double>(corner.x), static_cast<double>(corner.y)) + pane.corner;
@@ -196,8 +205,6 @@ void GlPainter::paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2
     const PixelRect rect{left, pixel_height - bottom, right - left, bottom - top};
     if (has_gaps) fill(theme.background, rect);
     paint_marks(pane, rect, density);
-    paint_labels(pane.marks, pane.camera, fonts_, {static_cast<float>(at.x), static_cast<float>(at.y)}, text_scale,
-                 *ImGui::GetBackgroundDrawList());
   }
 }
 

@@ -57,6 +57,10 @@ class GlPainter {
   void paint(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double text_scale, int pixel_width,
              int pixel_height);
 
+  // The same without words, which go to a draw list by label_painter.h; `density`: pixels per point.
+  void paint_without_words(const std::vector<Pane>& panes, const Theme& theme, ImVec2 corner, double density,
+                           int pixel_width, int pixel_height);
+
   // A pane without its words, a pixel for each of its points, lowest row first. Leaves blending and viewport changed.
   gl::Texture texture_of(const Pane& pane, const Theme& theme);
 

@@ -138,7 +138,8 @@ inline constexpr auto action_kinds = std::tuple{
     line_kind<CloseDialog>("close-dialog"), line_kind<CloseNotice>("close-notice"), line_kind<HideHints>("hide-hints"),
     // What the shell does
     line_kind<Quit>("quit", line_field("ends-visit", &Quit::ends_visit)),
-    line_kind<ToggleFullScreen>("toggle-full-screen"), line_kind<Undo>("undo"), line_kind<Redo>("redo"),
+    line_kind<ToggleFullScreen>("toggle-full-screen"), line_kind<ToggleAudience>("toggle-audience"),
+    line_kind<Undo>("undo"), line_kind<Redo>("redo"),
     line_kind<OpenScene>("open-scene", line_field("name", &OpenScene::name_or_path)),
     line_kind<OpenLesson>("open-lesson", line_field("name", &OpenLesson::name_or_path)),
     line_kind<DropFiles>("drop-files", line_field("paths", &DropFiles::paths)),

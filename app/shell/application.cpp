@@ -248,6 +248,7 @@ void Application::update(double interval_s) {
   clip_saving_.poll(session_);
   if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)
     age_s.reset();
+  if (screen_.has_audience_left()) toggle_audience();
   screen_.advance(session_, interval_s);
   heartbeat();
 }

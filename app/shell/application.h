@@ -195,6 +195,7 @@ class Application {
   void paste_set_up(const PasteSetUp& wanted);
   void add_to_notice(const std::string& words);
   void dismiss_notice();
+  void toggle_audience();
   const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
   TickState<2> start_state();
 

@@ -27,6 +27,7 @@ struct Application::EffectDoer {
 
   void operator()(const Quit&) const { application.window_.close(); }
   void operator()(const ToggleFullScreen&) const { application.window_.toggle_full_screen(); }
+  void operator()(const ToggleAudience&) const { application.toggle_audience(); }
   void operator()(const Undo&) const { application.take_back(true); }
   void operator()(const Redo&) const { application.take_back(false); }
   void operator()(const OpenScene& wanted) const { application.open_for_dialog(wanted.name_or_path); }
@@ -104,6 +105,14 @@ void Application::save(const std::string& path, const std::function<std::string(
   file.commit();
   hand_out(path);
   show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false);
+}
+
+void Application::toggle_audience() {
+  const std::string title(stage_language(session_.language).lecture.window);
+  std::unique_ptr<AudienceWindow> window = session_.has_audience ? nullptr : window_.open_audience(title);
+  session_.has_audience = window != nullptr;
+  screen_.show_to(std::move(window));
+  drawn_.reset();
 }
 
 // But for what has failed just now.

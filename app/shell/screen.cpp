@@ -13,6 +13,7 @@
 #include "app/widgets/style.h"
 #include "app/widgets/tooltips.h"
 #include "app/workbench/dialogs.h"
+#include "app/workbench/lecture.h"
 #include "app/workbench/motor_control.h"
 #include "app/workbench/plot_pieces.h"
 #include "app/workbench/status_bar.h"
@@ -28,6 +29,13 @@ Image cut_out(const Image& image, int left, int top, int width, int height) {
     part.rgb.insert(part.rgb.end(), begin, begin + 3 * static_cast<std::ptrdiff_t>(part.width));
   }
   return part;
+}
+
+// As clickers have it.
+Theme black_theme(const Theme& theme) {
+  Theme black = theme;
+  black.background = rgb(0x000000);
+  return black;
 }
 
 }  // namespace
@@ -55,7 +63,34 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
   }
   // The style must not change within a frame.
   apply_appearance(session);
-  window_.frame(interval_s, [&] { draw_everything(session, apply, moment, history, loop, {part_, true, interval_s}); });
+  window_.frame(interval_s, [&] {
+    draw_everything(session, apply, moment, history, loop, {part_, true, interval_s});
+    if (audience_) prepare_for_audience(session, moment, history, loop, interval_s);
+  });
+  if (audience_) audience_->window->show();
+}
+
+void Screen::show_to(std::unique_ptr<AudienceWindow> audience) {
+  audience_.reset();
+  if (audience) audience_.emplace(std::move(audience));
+}
+
+void Screen::prepare_for_audience(const Session& session, const ShownMoment& moment, const History& history,
+                                  const LoopReading& loop, double interval_s) {
+  const Theme& theme = *styled_appearance_.theme;
+  const Vector<2> size = audience_->window->size();
+  if (session.stage.is_black || size.x <= 0.0 || size.y <= 0.0) {
+    return audience_->window->prepare({}, black_theme(theme));
+  }
+  const StageFrame frame{.shown = moment,
+                         .history = history,
+                         .loop = loop,
+                         .theme = theme,
+                         .measure = measure_,
+                         .size = size,
+                         .scale = session.appearance.scale,
+                         .has_controls = false};
+  audience_->window->prepare({stage_.pane_apart(session, frame, audience_->labels, interval_s)}, theme);
 }
 
 void Screen::advance(const Session& session, double interval_s) noexcept {
@@ -65,6 +100,7 @@ void Screen::advance(const Session& session, double interval_s) noexcept {
 
 bool Screen::is_moving(const Session& session) const noexcept {
   if (keeps_notice_place_ && notice_place_s_ == 0.0) return true;
+  if (audience_ && audience_->labels.is_moving()) return true;
   return Keyboard::is_waiting(window_) || (session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving());
 }
 
@@ -127,16 +163,17 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
     hints_.follow(session);
   }
   const double text_scale = text_scale_of(session.face, scale_, theme);
-  if (session.face == Face::stage && session.stage.is_black && frame.is_live) {
-    Theme black = theme;
-    black.background = rgb(0x000000);
-    drawing_->painter.paint({}, black, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
+  const bool is_blank = session.stage.is_black && frame.is_live;
+  if (is_blank && !session.has_audience && session.face == Face::stage) {
+    drawing_->painter.paint({}, black_theme(theme), scene_corner_, text_scale, window_.pixel_width(),
+                            window_.pixel_height());
   } else {
     drawing_->painter.paint(panes_, theme, scene_corner_, text_scale, window_.pixel_width(), window_.pixel_height());
   }
   if (!frame.is_live) return;
   const Vector<2> corner = vector_of(scene_corner_);
   const ScreenBox scene{corner, corner + scene_size_};
+  if (is_blank && session.has_audience) draw_blank_words(context, scene);
   draw_shader_problem(context, scene);
   // On the stage between its rows of buttons, and beside its menu.
   ScreenBox room = is_on_stage ? stage_.picture().scene : scene;
@@ -152,7 +189,8 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
                         const History& history, const Frame& frame) {
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   scene_corner_ = {0.0F, 0.0F};
-  scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y)};
+  const float notes = frame.is_live && context.session.has_audience ? notes_height(size.y) : 0.0F;
+  scene_size_ = {static_cast<double>(size.x), static_cast<double>(size.y - notes)};
   const StageFrame stage_frame{.shown = moment,
                                .history = history,
                                .loop = context.loop,
@@ -169,7 +207,12 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
   stage_.update(session, context.apply, stage_frame, keyboard_.has_pressed(), frame.interval_s);
   draw_motor_frame(context);
   const Vector<2>& end = stage_.picture().scene.most;  // above the buttons
-  if (context.session.stage.is_black) {
+  if (notes > 0.0F) {
+    begin_piece("notes", {{0.0F, size.y - notes}, {size.x, notes}}, fixed_window);
+    draw_notes(context);
+    ImGui::EndChild();
+  }
+  if (context.session.stage.is_black && !context.session.has_audience) {
     draw_motor_words(context);
   } else {
     draw_replay_place(context, imgui_vector(end), static_cast<float>(stage_.picture().unit));

@@ -4,13 +4,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/paint/gl_painter.h"
 #include "app/paint/scene_gallery.h"
+#include "app/picture/label_placer.h"
 #include "app/picture/moment_history.h"
 #include "app/picture/panes.h"
 #include "app/picture/trail_history.h"
+#include "app/shell/audience_window.h"
 #include "app/shell/keyboard.h"
 #include "app/shell/window.h"
 #include "app/shell/workbench.h"
@@ -42,6 +45,12 @@ class Screen {
 
   // News has just gone by itself. A press that comes a moment later was meant for its button, and does nothing.
   void keep_place_of_notice() noexcept { notice_place_s_ = notice_place_lasts_s; }
+
+  // From now on each frame shows the stage in that window, too; null: in none.
+  void show_to(std::unique_ptr<AudienceWindow> audience);
+  // Somebody has closed it.
+  const AudienceWindow* audience() const noexcept { return audience_ ? audience_->window.get() : nullptr; }
+  bool has_audience_left() const { return audience_ && audience_->window->should_close(); }
 
   // In the window's new OpenGL context; the one before has gone with all that was in it.
   void restart_drawing();
@@ -85,6 +94,12 @@ class Screen {
   };
   void draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
                        const LoopReading& loop, const Frame& frame);
+  struct Audience {
+    std::unique_ptr<AudienceWindow> window;
+    LabelMemory labels{};
+  };
+  void prepare_for_audience(const Session& session, const ShownMoment& moment, const History& history,
+                            const LoopReading& loop, double interval_s);
   void draw_stage(Session& session, const PanelContext& context, const ShownMoment& moment, const History& history,
                   const Frame& frame);
   void apply_appearance(const Session& session);
@@ -97,6 +112,7 @@ class Screen {
   Workbench workbench_;
   Hints hints_;
   StageFace stage_;
+  std::optional<Audience> audience_;  // empty: there is none
   Appearance styled_appearance_{.theme = nullptr};
   double scale_ = 1.0;         // UI scale, with the display's
   float styled_scale_ = 0.0F;  // of Dear ImGui; over the stage it grows with the window

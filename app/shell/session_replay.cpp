@@ -15,8 +15,9 @@
 namespace ghostforce {
 namespace {
 
-using LeftOutInReplay = std::variant<Quit, ToggleFullScreen, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
-                                     CopyValues, CopySetUp, ShowLink, StartRecording, StopRecording>;
+using LeftOutInReplay =
+    std::variant<Quit, ToggleFullScreen, ToggleAudience, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
+                 CopyValues, CopySetUp, ShowLink, StartRecording, StopRecording>;
 // After which a person read words on the screen, that Esc takes away before all else.
 using LeavesWords = std::variant<SaveScene, SavePicture, SavePlots, CopyPicture, CopyValues, CopySetUp>;
 

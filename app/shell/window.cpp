@@ -15,6 +15,7 @@
 
 #include "app/paint/canvas.h"
 #include "app/paint/font_file.h"
+#include "app/shell/audience_window.h"
 #include "app/state/keys.h"
 
 namespace ghostforce {
@@ -177,27 +178,16 @@ void Window::frame(double interval_s, const std::function<void()>& draw) {
   show_frame();
 }
 
+std::unique_ptr<AudienceWindow> Window::open_audience(const std::string& /*title*/) {
+  return nullptr;
+}
+
 void Window::set_visible_drawing(bool is_on) {
   (is_on ? glDisable : glEnable)(GL_RASTERIZER_DISCARD);
 }
 
 Image Window::picture() const {
-  const int width = pixel_width(), height = pixel_height();
-  // With alpha: without it, a browser's OpenGL reads nothing.
-  const std::size_t row = 4 * static_cast<std::size_t>(width);
-  std::vector<unsigned char> rgba(row * static_cast<std::size_t>(height));
-  glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  Image image{width, height, {}};
-  image.rgb.resize(rgba.size() / 4 * 3);
-  std::size_t written = 0;
-  // OpenGL counts rows from below.
-  for (auto y = static_cast<std::size_t>(height); y-- > 0;) {
-    for (std::size_t at = row * y; at < row * (y + 1); at += 4) {
-      for (std::size_t channel = 0; channel < 3; ++channel) image.rgb[written++] = rgba[at + channel];
-    }
-  }
-  return image;
+  return gl::pixels_drawn(pixel_width(), pixel_height());
 }
 
 Image Window::picture_of(int density, const std::function<void()>& draw) {

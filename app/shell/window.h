@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@
 #include "app/widgets/panel_context.h"
 
 namespace ghostforce {
+
+class AudienceWindow;
 
 // In a smaller window the bars have no room for their words [screen coordinates].
 inline constexpr int least_window_width = 480;
@@ -85,6 +88,9 @@ class Window {
 
   // Files that were dropped on the window since the last call.
   std::vector<std::string> take_dropped_files();
+
+  // A second window, for an audience; null where the platform has none. It must not outlive this one. Throws Failure.
+  virtual std::unique_ptr<AudienceWindow> open_audience(const std::string& title);
 
   // What somebody has done with keyboard and pointer since the last call.
   struct Touch {

@@ -323,14 +323,23 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   return content;
 }
 
+namespace {
+
+// While the workbench is shown, what goes on by itself on the stage, and its modes, are not there.
+Session beside_stage(const Session& session) {
+  Session plain = session;
+  plain.stage = {.looks_back_to_s = session.stage.looks_back_to_s};
+  return plain;
+}
+
+}  // namespace
+
 StageReading StageFace::reading(const Session& session, const StageFrame& frame) const {
   if (session.face == Face::stage) {
     const Shown shown = live_in(session, frame, blend_of(frame));
     return stage_reading(content_of(session, frame, shown));
   }
-  // What goes on by itself on the stage, and its modes, are not there.
-  Session plain = session;
-  plain.stage = {.looks_back_to_s = session.stage.looks_back_to_s};
+  const Session plain = beside_stage(session);
   const Shown shown = live_in(plain, frame, stage_blend_of(frame.shown.settings.active));
   return stage_reading(content_of(plain, frame, shown));
 }
@@ -348,6 +357,20 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (content.warning.empty()) content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;
+}
+
+Pane StageFace::pane_apart(const Session& session, const StageFrame& frame, LabelMemory& memory,
+                           double interval_s) const {
+  if (session.face == Face::stage) {
+    const Shown shown = shown_in(session, frame);
+    StageContent content = content_of(session, frame, shown);
+    if (session.stage.mode != StageMode::round) content.shown = view_;
+    return compose_stage(content, memory, interval_s).pane;
+  }
+  Session plain = beside_stage(session);
+  plain.stage.hides_numbers = session.stage.hides_numbers;
+  const Shown shown = live_in(plain, frame, stage_blend_of(frame.shown.settings.active));
+  return compose_stage(content_of(plain, frame, shown), memory, interval_s).pane;
 }
 
 StagePicture StageFace::still(const Session& session, const StageFrame& frame) const {

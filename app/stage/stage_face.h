@@ -26,6 +26,10 @@ class StageFace {
   // That of the last frame.
   const StagePicture& picture() const noexcept { return picture_; }
 
+  // The picture of now for who only watches, in a window of another size, where labels have places of their own. On the
+  // workbench, too.
+  Pane pane_apart(const Session& session, const StageFrame& frame, LabelMemory& memory, double interval_s) const;
+
   // The same for a file: nothing fades in, and nobody can take hold of anything.
   StagePicture still(const Session& session, const StageFrame& frame) const;
 

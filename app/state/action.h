@@ -219,6 +219,8 @@ struct Quit {
   bool ends_visit = false;  // with the chord that visitors are not told
 };
 struct ToggleFullScreen {};
+// The second window, in which the audience sees the stage alone.
+struct ToggleAudience {};
 struct Undo {};
 struct Redo {};
 struct OpenScene {
@@ -273,9 +275,9 @@ struct StopRecording {};
 // To what a new person sees.
 struct ResetPreferences {};
 
-using Effect = std::variant<Quit, ToggleFullScreen, Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene,
-                            SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink,
-                            StartRecording, StopRecording, ResetPreferences>;
+using Effect = std::variant<Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, OpenScene, OpenLesson, DropFiles,
+                            SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp,
+                            ShowLink, StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
 using Action = std::variant<
@@ -288,9 +290,9 @@ using Action = std::variant<
     ChooseInput, ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse,
     ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
     TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
-    FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, Undo, Redo, OpenScene,
-    OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp,
-    ShowLink, StartRecording, StopRecording, ResetPreferences>;
+    FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, ToggleAudience, Undo,
+    Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
+    CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
 
 // All others close the stage's menu. Escape does it by itself.
 using LeavesMenuOpen = std::variant<ToggleMenu, Escape, LetGoOfHand, HoldControl, AcknowledgeOff>;

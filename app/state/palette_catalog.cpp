@@ -189,6 +189,7 @@ void add_looks(Entries& entries) {
   for (const StageLanguage* const each : stage_languages) {
     entries.add(&Name::language, each->name, ChooseLanguage{std::string(each->code)});
   }
+  if (session.offers_audience) entries.add(&Name::audience, ToggleAudience{});
   if (session.offers_speech) {
     entries.add(&Name::read_aloud, SwitchSpeech{true});
     entries.add(&Name::stop_reading_aloud, SwitchSpeech{false});

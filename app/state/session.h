@@ -259,6 +259,8 @@ struct Session {
   PlotView plots;
   Appearance appearance;
   std::set<std::string, std::less<>> folded_panels;  // by title
+  bool offers_audience = true;                       // there can be a second window,
+  bool has_audience = false;                         // in which the audience sees the stage alone
   bool offers_speech = true;                         // there is somebody who could read aloud
   bool speaks = false;                               // the stage's sentence is to be read aloud
   std::string speech_problem;                        // why nothing is spoken all the same; empty: nothing is wrong

@@ -72,6 +72,12 @@ void draw_view_options(const PanelContext& context) {
                     Appearance::greatest_arrow_scale);
   row("Language", "The language of the stage, of lessons and of Ctrl+P. The workbench is in English.");
   draw_language_choice(context);
+  if (session.offers_audience) {
+    row("Audience",
+        "A second window with the stage alone, on the second monitor if there is one. What to say stands in this one.");
+    bool has_audience = session.has_audience;
+    if (ImGui::Checkbox("second window", &has_audience)) context.apply(ToggleAudience{});
+  }
   if (session.offers_speech) {
     row("Speech", "Reads the stage's sentence aloud when it changes. This needs the package speech-dispatcher.");
     bool speaks = session.speaks;

@@ -7,6 +7,7 @@
 #include <imgui_impl_glfw.h>
 
 #include "app/shell/desktop/display_watch.h"
+#include "app/shell/desktop/glfw_audience_window.h"
 #include "app/state/keys.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -249,6 +250,12 @@ void GlfwWindow::begin_imgui_frame() {
 
 void GlfwWindow::show_frame() {
   if (!canvas_) glfwSwapBuffers(handle());
+}
+
+std::unique_ptr<AudienceWindow> GlfwWindow::open_audience(const std::string& title) {
+  return std::make_unique<GlfwAudienceWindow>(
+      GlfwAudienceWindow::FirstWindow{handle(), fonts(), canvas_.has_value(), on_key, on_character, on_anything<>},
+      title);
 }
 
 void GlfwWindow::set_clipboard_text(const std::string& text) {

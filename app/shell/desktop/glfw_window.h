@@ -3,6 +3,7 @@
 // thread, between GLFW's beginning and its end.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -38,6 +39,7 @@ class GlfwWindow : public Window {
   void set_clipboard_text(const std::string& text) override;
   std::string clipboard_text() const override;
   DisplayKind display_kind() const override;
+  std::unique_ptr<AudienceWindow> open_audience(const std::string& title) override;
 
  protected:
   WindowSize framebuffer_size() const override;

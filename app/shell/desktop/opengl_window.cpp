@@ -62,18 +62,7 @@ bool has_watch() {
 }
 
 GLFWwindow* create_window(const WindowOptions& options, const std::optional<Renderer>& renderer) {
-  glfwDefaultWindowHints();
-  if (renderer == Renderer::osmesa) {
-    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
-  } else if (renderer) {
-    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
-  }
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
-  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
-  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
-  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
+  hint_window(renderer);
   // Its watch hears from the beginning where its keys go.
   if (has_watch()) glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   WindowSize size{options.width, options.height};
@@ -88,6 +77,21 @@ GLFWwindow* create_window(const WindowOptions& options, const std::optional<Rend
 }
 
 }  // namespace
+
+void hint_window(std::optional<Renderer> renderer) {
+  glfwDefaultWindowHints();
+  if (renderer == Renderer::osmesa) {
+    glfwWindowHint(GLFW_CONTEXT_CREATION_API, GLFW_OSMESA_CONTEXT_API);
+  } else if (renderer) {
+    glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  }
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "ghostforce");
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "ghostforce");
+}
 
 OpenGlWindow::Library::Library(const WindowOptions& options, std::optional<Renderer> renderer) {
   if (renderer && *renderer != Renderer::gpu) choose_offscreen_driver();

@@ -74,6 +74,9 @@ class OpenGlWindow {
 // there is no room, whose words end in what else the person can do, the `remedy`.
 void make_room_for_drawing(int width, int height, std::string_view remedy);
 
+// What GLFW is to make of the next window: one with an OpenGL of its own on a display, or by OSMesa; or else with none.
+void hint_window(std::optional<Renderer> renderer);
+
 // A window's size, at most as large as what the desktop leaves free of the primary monitor; as WindowOptions has it.
 WindowSize fitted(WindowSize size);
 

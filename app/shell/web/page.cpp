@@ -105,6 +105,7 @@ Page::Page(Start start) : is_kiosk_(start.is_kiosk), application_(window_, start
   const StoredPreferences& stored = start.stored;
   if (!stored.remarks.empty()) application_.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   apply(stored.preferences, application_.session());
+  application_.session().offers_audience = false;
   application_.session().offers_speech = false;  // a screen reader reads the page as it is
   if (!is_kiosk_) {
     preference_keeper_.emplace(stored.preferences, application_.session());

@@ -30,6 +30,7 @@ TEST(KioskOptions, ContradictionsAreRefusedInWords) {
            {"--mode", "why"},
            {"--view", "workbench"},
            {"--record", "visit.csv"},
+           {"--audience"},
            {"--shader-dir", "shaders"},
            {"--input", "script"},
            {"--input", "circle"},

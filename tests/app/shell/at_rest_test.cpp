@@ -109,6 +109,16 @@ TEST_F(AtRestTest, EveryTickIsKeptThough) {
   EXPECT_EQ(application_->report().loop.dropped_samples, 0U);
 }
 
+TEST_F(AtRestTest, NothingIsDrawnForAnAudienceEither) {
+  act(ToggleAudience{});
+  stir();
+  ASSERT_TRUE(session().has_audience);
+  settle();
+  EXPECT_EQ(live_for(10.0), 0);
+  session().goal += Vector<2>(0.004, -0.002);
+  EXPECT_GT(live_for(0.5), 5);
+}
+
 TEST_F(AtRestTest, AHandThatMovesIsDrawnUntilItRests) {
   for (const Face face : {Face::stage, Face::workbench}) {
     show(face);

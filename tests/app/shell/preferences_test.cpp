@@ -115,6 +115,8 @@ void name_the_parts_of_the_session(Session& session) {
       options, plots, appearance,
       // KEPT, in the window's layout.
       folded_panels,
+      // Of the front, and of this moment.
+      offers_audience, has_audience,
       // Of the front.
       offers_speech,
       // KEPT.

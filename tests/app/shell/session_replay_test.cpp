@@ -183,7 +183,8 @@ TEST_F(SessionReplayTest, WritesAndCopiesNothingAndStays) {
   for (const Action& action :
        {Action(SaveScene{file}), Action(SavePicture{file, 1, true}), Action(SavePlots{file, true}),
         Action(SaveClip{file, 1.0, 1.0, 30}), Action(StartRecording{file}), Action(CopyPicture{}), Action(CopyValues{}),
-        Action(CopySetUp{}), Action(Quit{true}), Action(ToggleFullScreen{}), Action(ChooseInput{"falcon"})}) {
+        Action(CopySetUp{}), Action(Quit{true}), Action(ToggleFullScreen{}), Action(ToggleAudience{}),
+        Action(ChooseInput{"falcon"})}) {
     session.actions.push_back({0.1, action});
   }
   session.end_s = 0.2;

@@ -33,6 +33,7 @@ class PermitTest : public testing::Test {
 TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
   const std::vector<Action> forbidden{Quit{},
                                       ToggleFullScreen{},
+                                      ToggleAudience{},
                                       Undo{},
                                       Redo{},
                                       OpenScene{"x"},
