@@ -35,6 +35,7 @@
 #include "app/shell/application.h"
 #include "app/shell/desktop/display_watch.h"
 #include "app/shell/desktop/glfw_window.h"
+#include "app/shell/desktop/portal_file_chooser.h"
 #include "app/shell/desktop/sleep_watch.h"
 #include "app/shell/frame_pacer.h"
 #include "app/shell/preferences.h"
@@ -221,6 +222,8 @@ int run(const RunOptions& options) {
   if (options.has_audience) application.act(ToggleAudience{});
   application.start();
   SleepWatch sleep_watch;
+  std::optional<PortalFileChooser> file_chooser;
+  if (!is_kiosk) file_chooser.emplace(window.portal_name());
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
   const BeforeDisplayLoss before_display_loss([&application] {
     application.stop();

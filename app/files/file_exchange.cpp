@@ -16,14 +16,34 @@ const SavePlace& save_place() noexcept {
 
 void listen_for_files_from_outside() {}
 
-bool offers_file_chooser() noexcept {
-  return false;
+namespace {
+
+FileChooser* file_chooser = nullptr;
+
+}  // namespace
+
+void use_file_chooser(FileChooser* chooser) noexcept {
+  file_chooser = chooser;
 }
 
-void choose_file() {}
+bool offers_file_chooser() noexcept {
+  return file_chooser != nullptr && file_chooser->is_there();
+}
 
-std::vector<std::string> take_chosen_files() {
-  return {};
+bool offers_place_chooser() noexcept {
+  return offers_file_chooser();
+}
+
+void choose_file(const FileQuestion& question) {
+  if (file_chooser != nullptr) file_chooser->ask(question);
+}
+
+FileAnswer take_chosen_files() {
+  return has_chosen_files() ? file_chooser->take_answer() : FileAnswer{};
+}
+
+bool has_chosen_files() noexcept {
+  return file_chooser != nullptr && file_chooser->has_answer();
 }
 
 }  // namespace ghostforce

@@ -87,17 +87,25 @@ bool offers_file_chooser() noexcept {
   return true;
 }
 
-void choose_file() {
+bool offers_place_chooser() noexcept {
+  return false;
+}
+
+void choose_file(const FileQuestion&) {
   show_file_chooser();
 }
 
-std::vector<std::string> take_chosen_files() {
-  std::vector<std::string> paths;
+FileAnswer take_chosen_files() {
+  FileAnswer answer;
   for (;;) {
     const std::unique_ptr<char, void (*)(void*)> path(take_chosen_file(), std::free);
-    if (!path) return paths;
-    paths.emplace_back(path.get());
+    if (!path) return answer;
+    answer.paths.emplace_back(path.get());
   }
+}
+
+bool has_chosen_files() noexcept {
+  return false;  // the window looks itself
 }
 
 }  // namespace ghostforce

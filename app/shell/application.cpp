@@ -10,6 +10,7 @@
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/base/words.h"
+#include "app/files/file_exchange.h"
 #include "app/files/scene_file.h"
 #include "app/state/kiosk_visit.h"
 #include "app/state/lesson_guide.h"
@@ -272,6 +273,7 @@ bool Application::has_changed() const {
 bool Application::needs_drawing() const {
   // A caret blinks while somebody writes, and a button that is held may go on counting.
   if (session_.is_editing && !session_.drags_goal) return true;
+  if (has_chosen_files()) return true;
   const bool has_counts = session_.face == Face::workbench;
   const bool is_old = has_counts && clock_s_ - drawn_at_s_ >= (session_.paused ? paused_counts_last_s : counts_last_s);
   return is_old || frames_to_settle_ > 0 || screen_.is_moving(session_) || has_changed();

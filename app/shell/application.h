@@ -196,6 +196,7 @@ class Application {
   void add_to_notice(const std::string& words);
   void dismiss_notice();
   void toggle_audience();
+  void take_answer_of_chooser(std::vector<std::string>& dropped);
   const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
   TickState<2> start_state();
 

@@ -70,7 +70,7 @@ struct Application::EffectDoer {
 void Application::do_effects() {
   has_failed_ = false;
   std::vector<std::string> dropped = window_.take_dropped_files();
-  std::ranges::move(take_chosen_files(), std::back_inserter(dropped));
+  take_answer_of_chooser(dropped);
   if (!dropped.empty()) hear(DropFiles{std::move(dropped)});
   // A step of a lesson may bring an input of its own, for visitors too.
   const std::optional<std::string> input = std::exchange(session_.wanted_input, {});
@@ -83,6 +83,17 @@ void Application::do_effects() {
     attempt([&] { std::visit(do_permitted, effect); });
   }
   has_failed_ = false;
+}
+
+// Of the desktop's own dialog. Nobody waits any more for a place where the form has been closed meanwhile.
+void Application::take_answer_of_chooser(std::vector<std::string>& dropped) {
+  FileAnswer answer = take_chosen_files();
+  if (!answer.problem.empty()) show_notice(answer.problem, true);
+  if (!answer.question.new_file) {
+    std::ranges::move(answer.paths, std::back_inserter(dropped));
+  } else if (std::exchange(session_.form.awaits_place, false) && !answer.paths.empty()) {
+    session_.form.path = std::move(answer.paths.front());
+  }
 }
 
 void Application::attempt(const std::function<void()>& work) {

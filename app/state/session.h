@@ -208,6 +208,7 @@ enum class Dialog : std::uint8_t {
 struct Form {
   Dialog belongs_to = Dialog::none;
   std::string path;
+  bool awaits_place = false;  // of the system's own dialog, which is open
   int density = 2;
   bool scene_alone = false;
   bool whole_history = false;

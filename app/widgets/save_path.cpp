@@ -85,8 +85,19 @@ std::string proposed_path(std::string_view stem, std::string_view extension) {
 bool draw_save_path(const PanelContext& context) {
   Form& form = context.memory.form;
   if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();
-  ImGui::SetNextItemWidth(dialog_field_width(480.0F, context));
+  const char* const browse_words = "Browse…";
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float browse_width = ImGui::CalcTextSize(browse_words).x + 2.0F * style.FramePadding.x + style.ItemSpacing.x;
+  const bool can_browse = offers_place_chooser();
+  ImGui::SetNextItemWidth(dialog_field_width(480.0F, context) - (can_browse ? browse_width : 0.0F));
   const bool entered = text_field("##path", "", form.path);
+  if (can_browse) {
+    ImGui::SameLine();
+    if (ImGui::Button(browse_words)) {
+      choose_file({.new_file = form.path});
+      form.awaits_place = true;
+    }
+  }
   const Verdict verdict = judge(form.path);
   text_in(context.theme.faint_text, verdict.remark);
   ImGui::BeginDisabled(!verdict.can_be_written);

@@ -1,54 +1,26 @@
-// FakeLogind: a system bus of its own with a service on it that answers as logind does when it is asked to delay sleep. It
-// is stepped by hand.
+// FakeLogind: a system bus of its own with a service on it that answers as logind does when it is asked to delay sleep.
 #pragma once
 
 #include <fcntl.h>
 #include <poll.h>
-#include <systemd/sd-bus.h>
 #include <unistd.h>
 
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <memory>
-#include <stdexcept>
+#include <cerrno>
 #include <string>
 #include <vector>
 
 #include "app/files/descriptor.h"
-#include "tests/support/becomes.h"
-#include "tests/support/display.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/support/private_bus.h"
 
 namespace ghostforce {
 
-class FakeLogind {
+class FakeLogind : public PrivateBus {
  public:
-  FakeLogind() {
-    std::ofstream(folder_ / "bus.conf")
-        << "<busconfig><type>session</type><listen>" << address() << "</listen><auth>EXTERNAL</auth>"
-        << "<policy context=\"default\"><allow user=\"*\"/><allow own=\"*\"/><allow send_destination=\"*\"/>"
-        << "<allow receive_sender=\"*\"/></policy></busconfig>";
-    begin_bus();
-  }
-  ~FakeLogind() {
-    sd_bus_close(bus_);
-    sd_bus_unref(bus_);
-  }
-  FakeLogind(const FakeLogind&) = delete;
-  FakeLogind& operator=(const FakeLogind&) = delete;
-
-  // As DBUS_SYSTEM_BUS_ADDRESS has it.
-  std::string address() const { return std::string("unix:path=") + (folder_ / "socket"); }
+  FakeLogind() : PrivateBus([this](sd_bus* bus) { return offer(bus); }) {}
 
   std::vector<std::string> locks;  // each that was ever asked for, its words separated by bars
   bool refuses = false;
 
-  // Answers what has been asked.
-  void step() {
-    while (sd_bus_process(bus_, nullptr) > 0) {
-    }
-  }
   // Whoever has the lock has not given it back.
   bool is_delayed() const {
     if (lock_.number() < 0) return false;
@@ -56,34 +28,19 @@ class FakeLogind {
     return poll(&waits, 1, 0) == 0;  // the last one that could write has closed it
   }
   void prepare_for_sleep(bool is_coming) {
-    sd_bus_emit_signal(bus_, "/org/freedesktop/login1", "org.freedesktop.login1.Manager", "PrepareForSleep", "b",
+    sd_bus_emit_signal(bus(), "/org/freedesktop/login1", "org.freedesktop.login1.Manager", "PrepareForSleep", "b",
                        static_cast<int>(is_coming));
-    sd_bus_flush(bus_);
-  }
-  // False: it takes too long.
-  bool comes_to(const std::function<bool()>& as_wanted) {
-    return becomes(as_wanted, [this] { step(); });
-  }
-  void end_bus() { daemon_->end(SIGKILL); }
-  void begin_bus() {
-    std::filesystem::remove(folder_ / "socket");
-    daemon_ = std::make_unique<BackgroundProgram>(
-        std::vector<std::string>{"dbus-daemon", "--nofork", "--nopidfile", "--config-file=" + (folder_ / "bus.conf")},
-        std::vector<std::string>{});
-    if (!becomes([this] { return open(); })) throw std::runtime_error("the bus cannot be used");
+    sd_bus_flush(bus());
   }
 
  private:
-  bool open() {
+  bool offer(sd_bus* bus) {
     static const sd_bus_vtable methods[] = {
         SD_BUS_VTABLE_START(0), SD_BUS_METHOD("Inhibit", "ssss", "h", on_inhibit, SD_BUS_VTABLE_UNPRIVILEGED),
         SD_BUS_VTABLE_END};
-    sd_bus_unref(bus_);
-    return sd_bus_new(&bus_) >= 0 && sd_bus_set_address(bus_, address().c_str()) >= 0 &&
-           sd_bus_set_bus_client(bus_, 1) >= 0 && sd_bus_start(bus_) >= 0 &&
-           sd_bus_add_object_vtable(bus_, nullptr, "/org/freedesktop/login1", "org.freedesktop.login1.Manager", methods,
+    return sd_bus_add_object_vtable(bus, nullptr, "/org/freedesktop/login1", "org.freedesktop.login1.Manager", methods,
                                     this) >= 0 &&
-           sd_bus_request_name(bus_, "org.freedesktop.login1", 0) >= 0;
+           sd_bus_request_name(bus, "org.freedesktop.login1", 0) >= 0;
   }
 
   static int on_inhibit(sd_bus_message* message, void* self, sd_bus_error* error) {
@@ -102,9 +59,6 @@ class FakeLogind {
     return sd_bus_reply_method_return(message, "h", given.number());
   }
 
-  TemporaryFolder folder_;
-  std::unique_ptr<BackgroundProgram> daemon_;
-  sd_bus* bus_ = nullptr;
   Descriptor lock_;  // where the end of the newest one shows
 };
 

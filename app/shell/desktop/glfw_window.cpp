@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <GLFW/glfw3.h>
+#include <fmt/format.h>
 #include <imgui_impl_glfw.h>
 
 #include "app/shell/desktop/display_watch.h"
@@ -13,6 +14,9 @@
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
 // its entry for a loader that knows better.
 extern "C" int imgl3wInit2(void (*(*)(const char*))());
+
+// GLFW's header for it wants those of Xlib.
+extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);
 
 namespace ghostforce {
 
@@ -256,6 +260,10 @@ std::unique_ptr<AudienceWindow> GlfwWindow::open_audience(const std::string& tit
   return std::make_unique<GlfwAudienceWindow>(
       GlfwAudienceWindow::FirstWindow{handle(), fonts(), canvas_.has_value(), on_key, on_character, on_anything<>},
       title);
+}
+
+std::string GlfwWindow::portal_name() const {
+  return glfwGetPlatform() == GLFW_PLATFORM_X11 ? fmt::format("x11:{:x}", glfwGetX11Window(handle())) : std::string();
 }
 
 void GlfwWindow::set_clipboard_text(const std::string& text) {

@@ -22,6 +22,8 @@ class GlfwWindow : public Window {
   ~GlfwWindow() override;
 
   GLFWwindow* handle() const noexcept { return opengl_.handle(); }
+  // As the desktop's portals call it; empty: they have no name for it.
+  std::string portal_name() const;
 
   bool should_close() const override;
   void close() override;

@@ -240,7 +240,7 @@ void HtmlWindow::take_events(double /*wait_s*/) {
     add_key_event(paste, nullptr, false);
   }
   touches_.advance(browser::clock_s());
-  if (std::vector<std::string> chosen = take_chosen_files(); !chosen.empty()) add_dropped_files(std::move(chosen));
+  if (FileAnswer chosen = take_chosen_files(); !chosen.paths.empty()) add_dropped_files(std::move(chosen.paths));
 }
 
 void HtmlWindow::begin_imgui_frame() {
