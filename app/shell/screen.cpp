@@ -63,9 +63,11 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
   }
   // The style must not change within a frame.
   apply_appearance(session);
+  const Face face = session.face;
   window_.frame(interval_s, [&] {
     draw_everything(session, apply, moment, history, loop, {part_, true, interval_s});
-    if (audience_) prepare_for_audience(session, moment, history, loop, interval_s);
+    // What the person did in this frame may have led to the other face, which is not composed before the next.
+    if (audience_ && session.face == face) prepare_for_audience(session, moment, history, loop, interval_s);
   });
   if (audience_) audience_->window->show();
 }

@@ -31,8 +31,10 @@ void draw_notes(const PanelContext& context) {
 void draw_blank_words(const PanelContext& context, const ScreenBox& scene) {
   constexpr double dimmed = 0.75;
   ImDrawList& draw_list = *ImGui::GetBackgroundDrawList();
-  draw_list.AddRectFilled(imgui_vector(scene.least), imgui_vector(scene.most),
-                          packed(faded(context.theme.background, dimmed)));
+  if (context.session.face == Face::stage) {
+    draw_list.AddRectFilled(imgui_vector(scene.least), imgui_vector(scene.most),
+                            packed(faded(context.theme.background, dimmed)));
+  }
   const std::string words(stage_language(context.session.language).lecture.is_blank);
   const float height = 1.5F * ImGui::GetFontSize();
   const float width = static_cast<float>(0.9 * scene.extent().x);

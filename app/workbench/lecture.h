@@ -13,7 +13,7 @@ float notes_height(float window_height);
 // In the window that is being drawn, which is theirs alone.
 void draw_notes(const PanelContext& context);
 
-// Over the scene, which is dimmed.
+// Over the scene; the stage, which the audience would see, is dimmed.
 void draw_blank_words(const PanelContext& context, const ScreenBox& scene);
 
 }  // namespace ghostforce

@@ -73,7 +73,7 @@ class Portal {
       if (proposed.has_parent_path()) is_well = is_well && append_folder(*message, proposed.parent_path().string());
     }
     is_well = is_well && library_.message_close_container(message) >= 0;
-    // Without a limit: a person may take as long as they like, though portals answer the call itself at once.
+    // Portals answer the call itself at once, however long the person takes.
     is_well = is_well && library_.call_async(connection_.bus(), nullptr, message, on_reply, this, 0) >= 0;
     library_.message_unref(message);
     if (!is_well) fail();

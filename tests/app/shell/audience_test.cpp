@@ -55,6 +55,7 @@ bool is_black(const Image& image) {
 }
 
 TEST_F(AudienceTest, SeesTheStageWithoutButtonsDialogsAndNotices) {
+  frames(240);  // until labels have found their places
   EXPECT_GT(count_marks(Role::button), 0);
   EXPECT_EQ(count_shown(Role::button), 0);
   EXPECT_GT(count_shown(Role::sentence), 0);
@@ -80,9 +81,11 @@ TEST_F(AudienceTest, SeesItAtTheSizeOfItsWindow) {
 
 TEST_F(AudienceTest, SeesWhatThePersonDoes) {
   const auto goal = [&] {
-    const Marks& marks = audience().panes()[0].marks;
-    const auto found = std::ranges::find(marks, Role::goal, &Mark::role);
-    return found == marks.end() ? Vector<2>(0.0) : std::get<Marker>(found->form).center;
+    for (const Mark& mark : audience().panes()[0].marks) {
+      const auto* const marker = std::get_if<Marker>(&mark.form);
+      if (marker != nullptr && mark.role == Role::goal) return marker->center;
+    }
+    return Vector<2>(0.0);
   };
   const Vector<2> before = goal();
   session().goal += Vector<2>(0.004, 0.0);
