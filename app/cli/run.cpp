@@ -26,6 +26,7 @@
 #include "app/cli/lesson_options.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/reading_aloud.h"
+#include "app/cli/version.h"
 #include "app/files/output_file.h"
 #include "app/files/program_build.h"
 #include "app/files/run_reader.h"
@@ -201,6 +202,10 @@ int run(const RunOptions& options) {
        .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
        .record = options.record,
+       .receipt_origin = receipt_origin(
+           firmware ? fmt::format("{}, SHA-256 {}", quoted_text(firmware->path.filename().string(), longest_path),
+                                  firmware->sha256)
+                    : std::string()),
        .input_options = input_options,
        .make_servo_driver = [] { return std::make_unique<ServoThread>(); },
        .offers_hints = preferences.offers_hints,

@@ -1,5 +1,7 @@
 #include "app/cli/version.h"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "ghostforce_build.h"
@@ -16,6 +18,14 @@ std::string version_words(std::string_view renderer) {
       "renderer   {}\n",
       version, build::commit.empty() ? "unknown" : build::commit, build::type, build::compiler, build::system,
       build::libraries, renderer);
+}
+
+ReceiptOrigin receipt_origin(std::string firmware) {
+  return {.version = std::string(version),
+          .commit = std::string(build::commit),
+          .build = fmt::format("{}, {}, {}", build::type, build::compiler, build::system),
+          .libraries = std::string(build::libraries),
+          .firmware = std::move(firmware)};
 }
 
 }  // namespace ghostforce

@@ -83,6 +83,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       watch_actions_(options.watch_actions),
       is_replay_(options.is_replay),
       servo_driver_(options.make_servo_driver ? options.make_servo_driver() : nullptr),
+      receipt_origin_(options.receipt_origin),
       screen_(window, options.part) {
   if (session_.kiosk_visit) window_.stay_open();
   if (!options.shader_folder.empty()) shader_watch_.emplace(options.shader_folder);
@@ -172,6 +173,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   link_ = std::move(made.link);
   link_->begin(session_);
   report_ = {};
+  log_ = {};
   report_.restarts = command_.restarts_asked;
   report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
   if (is_started_) start();
@@ -221,6 +223,7 @@ void Application::update(double interval_s) {
   }
   see_target();
   link_->poll();
+  log_.note(report_, link_->fault());
   follow_own_wish(interval_s);
   late_ticks_.note(report_.loop.late_ticks, link_->is_opening(), interval_s);
   if (const std::string problem = clipboard_tool_.poll(); !problem.empty()) show_notice(problem, true);
@@ -342,6 +345,7 @@ LoopReading Application::reading() const {
                       .rate_hz = report_.loop.rate_hz,
                       .late_ticks = late_ticks_.all(),
                       .late_ticks_lately = late_ticks_.lately(),
+                      .periods = report_.loop.periods,
                       .dropped_samples = report_.loop.dropped_samples,
                       .refused = report_.refused_commands,
                       .diverged = report_.diverged,

@@ -18,6 +18,7 @@
 #include "app/shell/hand_following.h"
 #include "app/shell/input_link.h"
 #include "app/shell/looking_back.h"
+#include "app/shell/receipt.h"
 #include "app/shell/screen.h"
 #include "app/shell/shader_watch.h"
 #include "app/shell/visible_state.h"
@@ -44,6 +45,7 @@ struct ApplicationOptions {
   std::string_view why_no_falcon{};     // is among them, in words that outlive the application; empty: there is one
   FilePainter painter{};                // for what is saved as lines and letters
   std::optional<std::string> record{};  // from the first tick, to a file of this name
+  std::optional<ReceiptOrigin> receipt_origin{};  // empty: recordings get no receipts
   InputOptions input_options{};
   std::function<std::unique_ptr<ServoDriver>()> make_servo_driver{};  // empty: nobody drives the servo
   std::function<void(const std::string& line)> show_link{};           // to a set-up; empty: there is no page to link to
@@ -179,6 +181,7 @@ class Application {
   void save_clip(const SaveClip& request);
   void start_recording(const std::string& path);
   void read_recording();
+  void write_receipt(const std::string& recording) const;
   void take_back(bool undo);
   void offer_undo();
   const InputEntry& input_of(std::string_view name) const;
@@ -229,6 +232,8 @@ class Application {
   std::unique_ptr<Recording> recording_;
   RecordingReading recording_reading_;
   std::string recording_problem_;
+  std::optional<ReceiptOrigin> receipt_origin_;
+  SessionLog log_;                // of the input in use
   std::uint32_t recordings_ = 0;  // begun so far
   bool is_started_ = false;
   ServoReport report_;

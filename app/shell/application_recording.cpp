@@ -1,18 +1,31 @@
 // Recordings of what the servo does: begun, read while they grow, ended.
+#include <array>
 #include <cerrno>
+#include <deque>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "app/base/failure.h"
+#include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/files/file_exchange.h"
 #include "app/files/output_file.h"
 #include "app/files/scene_file.h"
+#include "app/picture/theme.h"
 #include "app/shell/application.h"
+#include "app/shell/receipt_page.h"
+#include "app/state/scene_view.h"
 #include "app/state/session.h"
+#include "app/state/set_up.h"
+#include "app/state/set_up_of.h"
 #include "core/scene.h"
+#include "device/servo/realtime_status.h"
 
 namespace ghostforce {
 namespace {
@@ -67,6 +80,44 @@ void Application::start_recording(const std::string& path) {
   read_recording();
 }
 
+// Whole or not at all, and over no other file.
+void Application::write_receipt(const std::string& recording) const {
+  const std::filesystem::path path(recording);
+  const std::string stem =
+      path.extension() == ".csv" ? std::filesystem::path(path).replace_extension().string() : recording;
+  const std::array paths{stem + ".receipt.json", stem + ".receipt.pdf"};
+  for (const std::string& each : paths) {
+    std::error_code ignored;
+    if (std::filesystem::exists(std::filesystem::symlink_status(each, ignored))) {
+      throw Failure(ExitCode::file_trouble,
+                    fmt::format("{} already exists, and a receipt never overwrites a file; record under another name",
+                                quoted_text(each, longest_path)));
+    }
+  }
+  const ShownMoment present{settings_now(session_), report_.snapshot};
+  const Receipt receipt{.origin = *receipt_origin_,
+                        .recording = quoted_text(path.filename().string(), longest_path),
+                        .seconds = recording_reading_.seconds,
+                        .dropped = recording_reading_.dropped,
+                        .input = session_.input,
+                        .device = link_->device(),
+                        .set_up = set_up_line(set_up_of(session_, present)),
+                        .scene = scene_text(scene_as_seen(session_)),
+                        .safety = session_.safety,
+                        .rate_hz = session_.settings.rate,
+                        .believed_k_u = believed_user_stiffness(session_.settings.stiffnesses),
+                        .periods = report_.loop.periods,
+                        .real_time = report_.loop.periods.ticks() > 0 ? describe(report_.realtime) : "",
+                        .log = log_};
+  const std::vector<Pane> page = receipt_page(receipt, painter_.measure);
+  const std::array contents{
+      receipt_json(receipt),
+      painter_.paint({.panes = page, .theme = paper(), .size = receipt_page_size, .title = receipt.set_up}, paths[1])};
+  std::deque<OutputFile> files;
+  for (std::size_t i = 0; i < paths.size(); ++i) files.emplace_back(paths[i]).write(contents[i]);
+  OutputFile::commit_all(files);
+}
+
 std::string Application::end_recording() {
   if (!recording_) return {};
   command_.recording = 0;
@@ -79,6 +130,18 @@ std::string Application::end_recording() {
   if (!found_at.empty()) hand_out(found_at);
   recording_reading_.is_on = false;
   EndOfRecording end = end_of_recording(recording_reading_, found_at, error);
+  // A program that is interrupted writes nothing more.
+  if (receipt_origin_ && !found_at.empty() && !interrupted()) {
+    if (!end.words.ends_with('.')) end.words += '.';
+    try {
+      write_receipt(found_at);
+      end.words += " Its receipt is beside it.";
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::interrupted)
+        end.words += fmt::format(" Its receipt could not be written: {}", failure.what());
+      end.is_problem = true;
+    }
+  }
   if (end.is_problem) recording_problem_ = end.words;
   return std::move(end.words);
 }

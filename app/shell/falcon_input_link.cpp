@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "app/files/falcon_calibration_file.h"
 #include "app/shell/input_link.h"
 #include "core/conventions.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
@@ -28,6 +29,24 @@ class FalconInputLink : public InputLink {
     if (readiness_of_) reading.readiness = readiness_of_(report_, reading.motors);
     reading.device = fmt::format("{} {}", reading.input_title, report_.serial.text());
     reading.device_remark = remark();
+  }
+
+  std::optional<DeviceFacts> device() const override {
+    FalconCalibration calibration = calibration_of(report_.serial, calibrations_);
+    const bool is_its_own = calibration.serial == report_.serial && !calibration.serial.text().empty();
+    calibration.serial = report_.serial;
+    return DeviceFacts{.name = std::string(report_.is_virtual ? "Virtual Falcon" : "Falcon"),
+                       .serial = std::string(report_.serial.text()),
+                       .is_simulated = report_.is_virtual,
+                       .has_own_calibration = is_its_own,
+                       .calibration = falcon_calibration_text(calibration),
+                       .exchanges = report_.exchanges,
+                       .lost_exchanges = report_.lost_exchanges,
+                       .discarded_bytes = report_.discarded_bytes,
+                       .line_errors = report_.line_errors};
+  }
+  std::string_view fault() const noexcept override {
+    return report_.fault == FalconFault::none ? std::string_view() : entry_of(report_.fault).name;
   }
 
   // Nobody else would stop it when it is back. One that is simulated ends with its input.

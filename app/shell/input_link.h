@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,6 +14,7 @@
 #include <vector>
 
 #include "app/base/failure.h"
+#include "app/shell/receipt.h"
 #include "app/state/session.h"
 #include "core/snapshot.h"
 #include "device/input/input.h"
@@ -62,6 +64,10 @@ class InputLink {
 
   // Why another input may not take its place now, in words; empty: it may.
   virtual std::string why_not_leave() { return {}; }
+
+  // For the receipt of a session: the device as it is now, and what is wrong with it, by its name in files.
+  virtual std::optional<DeviceFacts> device() const { return {}; }
+  virtual std::string_view fault() const noexcept { return {}; }
 
   // Where the readiness that it shows does not tell it.
   virtual EndOfRun end() const { return {}; }

@@ -27,8 +27,8 @@ void add_panel_words(const Session& session, const LoopReading& reading, std::st
   fmt::format_to(out, "{:.1f} {:.1f} {}", recording.seconds, 1e-6 * static_cast<double>(recording.bytes),
                  recording.dropped);
   if (const MotorReport& motors = reading.motors; motors.has_motors) {
-    fmt::format_to(out, "{:.2f} {:.2f} {:.2f} {:.0f} {:.2f}", glm::length(motors.sent), motors.limit,
-                   motors.handle_speed, motors.held_k_r, motors.gain);
+    fmt::format_to(out, "{:.2f} {:.2f} {:.2f} {:.0f} {:.2f} {:.0f}", glm::length(motors.sent), motors.limit,
+                   motors.handle_speed, motors.held_k_r, motors.gain, 100.0 * std::ranges::max(motors.heat));
   }
   if (reading.circle) fmt::format_to(out, "{:.2f}", reading.circle->share);
   fmt::format_to(out, "{}", session.dial_turned_s.has_value());

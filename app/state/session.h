@@ -28,6 +28,7 @@
 #include "core/loop_energy.h"
 #include "core/scene.h"
 #include "device/report/input_choice.h"
+#include "device/report/loop_periods.h"
 #include "device/report/motor_report.h"
 #include "device/report/spacemouse.h"
 
@@ -345,6 +346,7 @@ struct LoopReading {
   // Ticks that came a period late or more, not counting those while a device is looked for or opened.
   std::uint64_t late_ticks = 0;
   std::uint64_t late_ticks_lately = 0;  // of them, in the last lately_s
+  LoopPeriods periods{};                // since the input was chosen
   std::uint64_t dropped_samples = 0;
   std::uint64_t refused = 0;  // settings and moves that the loop could not take
   bool diverged = false;      // the settings made the simulation unstable; it waits for others

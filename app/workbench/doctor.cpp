@@ -4,6 +4,7 @@
 
 #include "app/widgets/controls.h"
 #include "app/workbench/dialogs.h"
+#include "app/workbench/motor_control.h"
 
 namespace ghostforce {
 namespace {
@@ -61,6 +62,7 @@ void draw_doctor(const PanelContext& context) {
     ImGui::Spacing();
     for (const ReadinessStepState& step : context.loop.readiness) draw_step(context, step, end);
     ImGui::Spacing();
+    draw_motor_heat(context, end);
     if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   }
   ImGui::PopTextWrapPos();

@@ -1,5 +1,5 @@
 // What shows from three metres away that motors may push, and turns them on and off: a button in the bar and a frame
-// round the scene.
+// round the scene. And how warm they are.
 #include "app/workbench/motor_control.h"
 
 #include <algorithm>
@@ -12,6 +12,7 @@
 #include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
+#include "core/motor_heat.h"
 
 namespace ghostforce {
 namespace {
@@ -93,6 +94,26 @@ void draw_motor_frame(const PanelContext& context) {
   draw_list.AddRect({corner.x + inset, corner.y + inset}, {end.x - inset, end.y - inset}, packed(context.theme.problem),
                     0.0F, 0, width);
   draw_list.PopClipRect();
+}
+
+void draw_motor_heat(const PanelContext& context, float end) {
+  const Theme& theme = context.theme;
+  const double heat = std::ranges::max(context.loop.motors.heat);
+  const bool is_too_much = heat > 1.0;
+  const float left = ImGui::GetCursorPosX();
+  const float width = (end > 0.0F ? end : ImGui::GetContentRegionMax().x) - left;
+  ImGui::PushStyleColor(ImGuiCol_PlotHistogram,
+                        unpacked(mix(theme.panel_field, is_too_much ? theme.problem : theme.accent, 0.42)));
+  ImGui::ProgressBar(static_cast<float>(std::min(heat, 1.0)), {width, 0.0F},
+                     fmt::format("Heat: {:.0f} %", 100.0 * heat).c_str());
+  ImGui::PopStyleColor();
+  tooltip(fmt::format(
+      "Of the warmest motor, estimated from what it was told to give: the mean square over the last {:.0f} s or so. At "
+      "100 % it is as warm as {:.0f} % of full power makes it in the end. Both numbers are assumed.",
+      motor_heat_time_constant_s, 100.0 * motor_continuous_share));
+  wrapped_text(is_too_much ? "The motors have given more than they may for long. Let them rest."
+                           : "Estimated; no temperature is measured. Above 100 %, let the motors rest.",
+               end);
 }
 
 void draw_motor_words(const PanelContext& context) {

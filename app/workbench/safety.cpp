@@ -7,6 +7,7 @@
 #include "app/state/front_keys.h"
 #include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
+#include "app/workbench/motor_control.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/force_limiter.h"
 
@@ -73,6 +74,7 @@ void draw_safety(const PanelContext& context) {
   if (motors.held_k_r > 0.0) {
     wrapped_text(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r));
   }
+  draw_motor_heat(context);
   if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     draw_limits(context);
     ImGui::TreePop();

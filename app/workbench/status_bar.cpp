@@ -153,8 +153,10 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
             has_room_for_both ? problem : shortened(fmt::format("{}", fmt::join(problems, ". ")), room));
   }
   ImGui::EndGroup();
-  tooltip(fmt::format("What moves the goal, and the model time. {:.0f} ticks a second; {} late so far.{}{}",
-                      loop.rate_hz, loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
+  tooltip(
+      fmt::format("What moves the goal, and the model time. {:.0f} ticks a second; {} late so far. The panel "
+                  "“Recording” shows how far apart they are.{}{}",
+                  loop.rate_hz, loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
   ImGui::SameLine(scene_x);
   const bool opens_scene = ImGui::Button("###scene", {button_width(title), 0.0F});
   const ImVec2 corner = ImGui::GetItemRectMin();

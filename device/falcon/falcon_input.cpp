@@ -70,7 +70,8 @@ void FalconInput::wait_until(std::int64_t deadline_ns) noexcept {
 
 HandleReading FalconInput::read() noexcept {
   const FalconReport& report = falcon_.report();
-  const double age_s = static_cast<double>(now_ns() - falcon_.position_time_ns()) * 1e-9;
+  const std::int64_t now = now_ns();
+  const double age_s = static_cast<double>(now - falcon_.position_time_ns()) * 1e-9;
   reading_.is_known = report.is_readable() && age_s <= longest_known_s;
   reading_.time_ns = falcon_.position_time_ns();
   if (reading_.is_known) {
@@ -87,6 +88,7 @@ HandleReading FalconInput::read() noexcept {
   reading_.may_still_push = report.may_still_push;
   check();
   probe();
+  estimate_heat(now);
   reports_.publish(report);
   return reading_;
 }
@@ -132,6 +134,17 @@ void FalconInput::probe() noexcept {
     reading_.probe = encoder_watch_.force_at(now_ns()) * asked_way_;
   }
   if (!encoder_watch_.is_asking()) asked_way_ = Vector<2>(0.0);
+}
+
+// What was sent last has stood since the call before, or has been replaced within that tick.
+void FalconInput::estimate_heat(std::int64_t now_ns) noexcept {
+  const std::int64_t before_ns = std::exchange(heat_ns_, now_ns);
+  if (before_ns == 0) return;
+  for (std::size_t motor = 0; motor < heat_.size(); ++motor) {
+    heat_[motor].hold(falcon_.report().motors[motor] / most_motor_counts,
+                      static_cast<double>(now_ns - before_ns) * 1e-9);
+    reading_.heat[motor] = heat_[motor].heat();
+  }
 }
 
 // The direction in which the handle moves a leg the most.

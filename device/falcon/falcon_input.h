@@ -13,6 +13,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/latest_value.h"
+#include "core/motor_heat.h"
 #include "device/falcon/calibration.h"
 #include "device/falcon/encoder_watch.h"
 #include "device/falcon/falcon.h"
@@ -108,6 +109,7 @@ class FalconInput : public Input, public HapticDevice {
   double speed() const noexcept;
   void check() noexcept;
   void probe() noexcept;
+  void estimate_heat(std::int64_t now_ns) noexcept;
   std::optional<Vector<3>> way_of_leg(std::size_t leg) const noexcept;
   void note(const Place& place) noexcept;
 
@@ -120,7 +122,9 @@ class FalconInput : public Input, public HapticDevice {
   std::size_t place_count_ = 0;
   MotorCheck motor_check_;
   EncoderWatch encoder_watch_;
-  std::int64_t checked_ns_ = 0;  // the newest reply that they have seen
+  std::int64_t checked_ns_ = 0;      // the newest reply that they have seen
+  std::array<MotorHeat, 3> heat_{};  // in a frame's order
+  std::int64_t heat_ns_ = 0;         // up to when; 0: not begun
   bool is_armed_ = false;
   Vector<2> standing_{0.0};    // sent last, without the probe [N]
   Vector<2> asked_way_{0.0};   // that of the force that stood when encoders were asked [1]

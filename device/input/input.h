@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/conventions.h"
+#include "core/motor_heat.h"
 #include "core/safety.h"
 
 namespace ghostforce {
@@ -29,6 +30,8 @@ struct HandleReading {
   Vector<2> probe{0.0};
   bool is_still = true;    // enough for that check
   bool is_checked = true;  // nothing but the probe may be pushed with before
+
+  MotorHeats heat{};  // estimated, since the input was made
 };
 
 // What the servo needs of a device whose handle it can read and whose motors it can drive.

@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "core/conventions.h"
+#include "core/motor_heat.h"
 #include "core/safety.h"
 
 namespace ghostforce {
@@ -32,6 +33,7 @@ struct MotorReport {
   bool is_checking = false;      // in RAMP: the device checks its motors, and nothing else pushes yet
   bool may_still_push = false;   // a device has not answered since it was told to stop, perhaps another one
   bool has_focus = true;         // keys reach the window, so that Esc turns them off
+  MotorHeats heat{};             // estimated (core/motor_heat.h)
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);
 

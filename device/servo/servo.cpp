@@ -75,6 +75,7 @@ void Servo::begin(std::int64_t now_ns, const RealtimeStatus& realtime) noexcept 
   report_.realtime = realtime;
   pacer_ = Pacer(now_ns, period_s());
   now_ns_ = now_ns;
+  paced_ns_ = 0;
 }
 
 Servo::Wake Servo::next_wake() const noexcept {
@@ -92,8 +93,12 @@ std::optional<std::int64_t> Servo::wake(std::int64_t now_ns) noexcept {
 std::optional<std::int64_t> Servo::wake_at(std::int64_t now_ns) noexcept {
   now_ns_ = now_ns;
   const std::int64_t late_ns = now_ns - pacer_.deadline_ns();
-  if (is_idle()) pacer_.align(now_ns);
+  if (is_idle()) {
+    pacer_.align(now_ns);
+    paced_ns_ = 0;
+  }
   const bool tick_is_due = pacer_.is_due(now_ns);
+  if (tick_is_due) count_period(late_ns >= pacer_.period_ns());
   if (tick_is_due && device_ != nullptr) pacer_.follow(now_ns);
   report_.loop.rate_hz = pacer_.rate_hz();
   report_.loop.late_ticks = pacer_.late_ticks();
@@ -101,6 +106,13 @@ std::optional<std::int64_t> Servo::wake_at(std::int64_t now_ns) noexcept {
   update(tick_is_due);
   pacer_.set_period(period_s(), now_ns);
   return tick_is_due ? std::optional(late_ns) : std::nullopt;
+}
+
+void Servo::count_period(bool is_late) noexcept {
+  const bool is_paced = (speed_ == 1.0 || safety_.is_armed()) && (device_ == nullptr || handle_.is_known);
+  const std::int64_t before_ns = std::exchange(paced_ns_, is_paced ? woken_ns_ : 0);
+  if (before_ns == 0 || paced_ns_ == 0) return;
+  report_.loop.periods.add(static_cast<double>(paced_ns_ - before_ns) * 1e-9, is_late);
 }
 
 void Servo::shut_down() noexcept {
@@ -223,6 +235,7 @@ void Servo::watch_handle() noexcept {
   report_.motors.is_ready = handle_.is_ready && handle_.is_known && handle_.is_healthy;
   report_.motors.handle_speed = handle_.speed;
   report_.motors.exchange_age_s = since(handle_.time_ns);
+  report_.motors.heat = handle_.heat;
 }
 
 // The tones from this tick to the next, in the plane [N].

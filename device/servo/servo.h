@@ -24,6 +24,7 @@
 #include "core/snapshot.h"
 #include "core/tick.h"
 #include "device/input/input.h"
+#include "device/report/loop_periods.h"
 #include "device/report/motor_report.h"
 #include "device/servo/pacer.h"
 #include "device/servo/realtime_status.h"
@@ -67,6 +68,9 @@ struct LoopHealth {
   double worst_late_s = 0.0;          // behind a deadline, since begin() [s]
   std::uint64_t dropped_samples = 0;  // that take_sample() was too slow for
   std::uint64_t dropped_records = 0;  // that take_record() was too slow for
+  // Since the servo was made, by a thread, while model time runs as fast as real time; with a device, while its handle
+  // is known: what comes late while it is opened says nothing about the loop.
+  LoopPeriods periods;
 };
 
 struct ServoReport {
@@ -171,6 +175,7 @@ class Servo {
   using SampleRing = Ring<Sample, sample_capacity>;
 
   std::optional<std::int64_t> wake_at(std::int64_t now_ns) noexcept;
+  void count_period(bool is_late) noexcept;
   void update(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
   void limit_force(bool tick_is_due) noexcept;
@@ -223,6 +228,7 @@ class Servo {
   std::int64_t device_lead_ns_ = 0;  // then: of the device's clock before that one
   std::int64_t woken_ns_ = 0;        // when a thread woke it; 0: no real time is measured
   std::int64_t sampled_ns_ = 0;      // when it was awake for the newest sample
+  std::int64_t paced_ns_ = 0;        // and for the last tick whose period counts; 0: for none
   ServoReport report_;
 
   // Of the hand.

@@ -3,7 +3,11 @@
 // frames, encoders, kinematics, Jacobian, motor counts, sampling.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
 #include "core/equilibrium.h"
+#include "core/motor_heat.h"
 #include "tests/device/virtual_falcon/rehearsal.h"
 
 namespace ghostforce::closed_loop_test {
@@ -82,6 +86,35 @@ TEST(ClosedLoop, AWrongBeliefLeavesAGhostForce) {
   const double theory = equilibrium_of(StrategyId::anisotropic, rehearsal.command().settings, goal).device.x;
   EXPECT_GT(std::abs(wrong - full), 1e-3);
   EXPECT_NEAR(wrong, theory, 10.0 * resolution);
+}
+
+// The heat is that of the numbers that went to the motors, whatever force they were for.
+TEST(ClosedLoop, TheMotorsGrowAsWarmAsWhatTheyWereToldToGiveMakesThem) {
+  Rehearsal rehearsal;
+  rehearsal.turn_on();
+  rehearsal.use(StrategyId::naive);
+  rehearsal.input().move_to(goal, 1.0);
+  rehearsal.run(3.0);
+  const MotorHeats before = rehearsal.motors().heat;
+  MotorNumbers held = rehearsal.falcon().motors;
+  std::array<double, 3> squares{};
+  for (int tick = 0; tick < 5000; ++tick) {
+    for (std::size_t motor = 0; motor < 3; ++motor) squares[motor] += 1e-3 * held[motor] * held[motor];
+    rehearsal.step();
+    held = rehearsal.falcon().motors;
+  }
+  const double decay = std::exp(-5.0 / motor_heat_time_constant_s);
+  for (std::size_t motor = 0; motor < 3; ++motor) {
+    const double load = squares[motor] / 5.0 / std::pow(motor_continuous_share * most_motor_counts, 2.0);
+    const double now = rehearsal.motors().heat[motor];
+    EXPECT_NEAR(now, before[motor] * decay + load * (1.0 - decay), 0.01 * now) << motor;
+    EXPECT_GT(now, before[motor]) << motor;
+  }
+  ++rehearsal.command().offs_asked;
+  rehearsal.run(1.0);  // they fade
+  const double when_off = rehearsal.motors().heat[0];
+  rehearsal.run(5.0);
+  EXPECT_NEAR(rehearsal.motors().heat[0], when_off * decay, 1e-9);
 }
 
 // Pushing far: the clamp keeps the force's direction, also through kinematics and motors.

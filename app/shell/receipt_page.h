@@ -1,0 +1,17 @@
+// A session's receipt as one page of paper (A4), for people. Pure, any thread.
+#pragma once
+
+#include <vector>
+
+#include "app/picture/panes.h"
+#include "app/picture/view.h"
+#include "app/shell/receipt.h"
+
+namespace ghostforce {
+
+inline constexpr Vector<2> receipt_page_size{595.276, 841.890};  // [points]
+
+// Panes of that page; words that have no room on it are left out, and it says so. `measure`: of the letters on paper.
+std::vector<Pane> receipt_page(const Receipt& receipt, const MeasureText& measure);
+
+}  // namespace ghostforce
