@@ -42,8 +42,8 @@ std::string words_about(const std::vector<SessionLog::Event>& events) {
 }
 
 std::string words_about(const DeviceFacts& device) {
-  return fmt::format("{}{}. {} exchanges, {} lost, {} bytes discarded, {} errors on the line.", device.name,
-                     device.is_simulated ? ", simulated" : "", device.exchanges, device.lost_exchanges,
+  return fmt::format("{} {}{}. {} exchanges, {} lost, {} bytes discarded, {} errors on the line.", device.name,
+                     device.serial, device.is_simulated ? ", simulated" : "", device.exchanges, device.lost_exchanges,
                      device.discarded_bytes, device.line_errors);
 }
 
@@ -79,7 +79,7 @@ std::string words_about_rate(const Receipt& receipt) {
 
 std::string words_about_heat(const MotorHeats& heat) {
   return fmt::format(
-      "{:.0f} %, {:.0f} %, {:.0f} % at most, estimated from what the motors were told to give; no temperature was "
+      "at most {:.0f} %, {:.0f} % and {:.0f} %, estimated from what the motors were told to give; no temperature was "
       "measured. 100 %: what {:.0f} % of full power comes to in the end, with a time constant of {:.0f} s; both are "
       "assumed.",
       100.0 * heat[0], 100.0 * heat[1], 100.0 * heat[2], 100.0 * motor_continuous_share, motor_heat_time_constant_s);

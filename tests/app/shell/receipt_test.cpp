@@ -169,8 +169,9 @@ TEST(ReceiptPage, SaysItInWordsWithAChartOfThePeriods) {
   ASSERT_EQ(panes.size(), 2U);
   expect_on_page(panes);
   const std::string words = words_on(panes);
-  for (const char* const some : {"visit.csv", "1.2.3", "some libraries 4.5", "Falcon", "scale = 1", "over_force",
-                                 "unplugged", "310 ± 25 N/m", "50 %, 25 %", "ghostforce run wall45", "period [ms]"}) {
+  for (const char* const some :
+       {"visit.csv", "1.2.3", "some libraries 4.5", "Falcon 12PZ657E", "scale = 1", "over_force", "unplugged",
+        "310 ± 25 N/m", "50 %, 25 % and 12 %", "ghostforce run wall45", "period [ms]"}) {
     EXPECT_NE(words.find(some), std::string::npos) << some << "\n" << words;
   }
   EXPECT_EQ(words.find("a remark"), std::string::npos);
