@@ -10,7 +10,9 @@ const SavePlace& save_place() noexcept {
       .has_folders = true,
       .nothing_typed = "Type a path.",
       .new_file = "A new file.",
-      .about_recording = "A new CSV file. If empty, a name is chosen in the folder that the program was started in."};
+      .about_recording =
+          "A new CSV file, and its receipt beside it. If empty, a name is chosen in the folder that the program was "
+          "started in."};
   return place;
 }
 

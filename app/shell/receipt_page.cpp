@@ -21,12 +21,12 @@ namespace {
 constexpr double margin = 44.0;
 constexpr double name_width = 112.0;
 constexpr double line_step = 1.2;  // in heights of letters
-constexpr double row_gap = 4.0;
-constexpr double chart_height = 210.0;
+constexpr double row_gap = 3.0;
+constexpr double chart_height = 180.0;
 constexpr TextStyle title_style{22.0, true};
-constexpr TextStyle name_style{11.5, true};
-constexpr TextStyle body{11.5};
-constexpr std::size_t most_lines = 7;  // of a row
+constexpr TextStyle name_style{10.5, true};
+constexpr TextStyle body{10.5};
+constexpr std::size_t most_lines = 5;  // of a row
 
 struct Row {
   std::string_view name;
@@ -104,14 +104,14 @@ std::vector<Row> rows_of(const Receipt& receipt) {
          fmt::format("{:g} N; k_r up to {:g} N/m; {}", receipt.safety.force_limit, receipt.safety.greatest_k_r,
                      receipt.safety.needs_button ? "only while a button is held" : "no button has to be held")});
   }
-  rows.push_back({"Set-up at the end", receipt.set_up});
   rows.push_back({"Hand", words_about_hand(receipt)});
+  rows.push_back({"Loop", words_about_rate(receipt)});
+  rows.push_back({"Set-up at the end", receipt.set_up});
   if (receipt.device) {
+    rows.push_back({"Heat", words_about_heat(receipt.log.greatest_heat())});
     rows.push_back({"Motors off", words_about(receipt.log.motors_off())});
     rows.push_back({"Device faults", words_about(receipt.log.device_faults())});
-    rows.push_back({"Heat", words_about_heat(receipt.log.greatest_heat())});
   }
-  rows.push_back({"Loop", words_about_rate(receipt)});
   return rows;
 }
 
