@@ -27,11 +27,18 @@ constexpr TextStyle title_style{22.0, true};
 constexpr TextStyle name_style{10.5, true};
 constexpr TextStyle body{10.5};
 constexpr std::size_t most_lines = 5;  // of a row
+// More letters than these lines hold. To break many more into lines would take seconds.
+constexpr std::size_t most_letters = 1000;
 
 struct Row {
   std::string_view name;
   std::string words;
 };
+
+// Whole words.
+std::string_view first_words(std::string_view words) {
+  return words.size() <= most_letters ? words : words.substr(0, words.rfind(' ', most_letters));
+}
 
 std::string words_about(const std::vector<SessionLog::Event>& events) {
   std::string words;
@@ -158,7 +165,7 @@ std::vector<Pane> receipt_page(const Receipt& receipt, const MeasureText& measur
   put(margin, margin, "Receipt of a session", title_style);
   double top = margin + 1.6 * title_style.height;
   for (const Row& row : rows_of(receipt)) {
-    std::vector<std::string> lines = broken_into_lines(row.words, size.x - margin - left, body, measure);
+    std::vector<std::string> lines = broken_into_lines(first_words(row.words), size.x - margin - left, body, measure);
     const auto room = static_cast<std::size_t>(std::max(0.0, std::floor((end - top) / step)));
     if (const std::size_t most = std::min(room, most_lines); lines.size() > most) {
       if (most == 0) break;
