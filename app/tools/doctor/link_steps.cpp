@@ -22,27 +22,25 @@ constexpr std::array silences_s{0.02, 0.05, 0.1, 0.2, 0.5, 1.0};
 constexpr std::size_t rounds = 2;
 constexpr double push_force = 0.9;  // towards the person, of the strongest published motors [N]
 
-MotorStop take_silence(MeasuringRig& rig, double silence_s, SilenceReading& reading) {
+SilenceReading take_silence(MeasuringRig& rig, double silence_s) {
   const auto outwards = [](const RigSample& sample) {
     return MeasuringRig::counts_for({0.0, 0.0, push_force}, sample.jacobian);
   };
   Mean without;
-  MotorStop stop =
-      rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { without.add(sample.position); });
-  if (stop != MotorStop::none) return stop;
+  rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { without.add(sample.position); });
   const double rest = without.value().z;
   Mean held;
   double least = 1.0;
   double greatest = 0.0;
-  stop = rig.drive(0.7, outwards, [&](const RigSample& sample) {
+  rig.drive(0.7, outwards, [&](const RigSample& sample) {
     if (sample.time_s < 0.5) return;
     held.add(sample.position);
     least = std::min(least, sample.position.z);
     greatest = std::max(greatest, sample.position.z);
   });
-  if (stop != MotorStop::none) return stop;
-  reading = {.silence_s = silence_s, .held = held.value().z - rest, .tremor = greatest - least};
-  return rig.be_silent(silence_s, [&](const RigSample& sample) { reading.after = sample.position.z - rest; });
+  SilenceReading reading{.silence_s = silence_s, .held = held.value().z - rest, .tremor = greatest - least};
+  rig.be_silent(silence_s, [&](const RigSample& sample) { reading.after = sample.position.z - rest; });
+  return reading;
 }
 
 }  // namespace
@@ -55,12 +53,8 @@ std::vector<Finding> measure_silence(MeasuringRig& rig) {
     while (readings.size() < rounds * silences_s.size()) {
       const bool ends_round = readings.size() % rounds == 0;
       if (ends_round && judge_silences(readings).outcome == SilenceOutcome::drops) break;
-      SilenceReading reading;
-      const MotorStop stop = take_silence(rig, silences_s[readings.size() / rounds], reading);
-      if (stop != MotorStop::none) return stop;
-      readings.push_back(reading);
+      readings.push_back(take_silence(rig, silences_s[readings.size() / rounds]));
     }
-    return MotorStop::none;
   };
   const bool is_done = rig.with_button(
       {.kind = OperatorAction::Kind::hold_button},

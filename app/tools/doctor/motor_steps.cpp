@@ -20,13 +20,12 @@ constexpr double kg_per_g = 1e-3;
 // --- Directions ---
 
 // A pulse of one motor: what the legs did. The force is that of the strongest published motors.
-MotorStop take_pulse(MeasuringRig& rig, std::size_t number, double force, MotorPulse& pulse) {
+MotorPulse take_pulse(MeasuringRig& rig, std::size_t number, double force) {
   Mean before;
   Mean during;
   double counts = 0.0;
-  MotorStop stop = rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { before.add(sample.legs); });
-  if (stop != MotorStop::none) return stop;
-  stop = rig.drive(
+  rig.drive(0.3, MeasuringRig::no_counts, [&](const RigSample& sample) { before.add(sample.legs); });
+  rig.drive(
       0.7,
       [&](const RigSample& sample) {
         Vector<3> alone(0.0);
@@ -39,9 +38,8 @@ MotorStop take_pulse(MeasuringRig& rig, std::size_t number, double force, MotorP
       [&](const RigSample& sample) {
         if (sample.time_s > 0.5) during.add(sample.legs);
       });
-  if (stop != MotorStop::none) return stop;
-  pulse = {.counts = counts, .moved = during.value() - before.value()};
-  return rig.let_go(0.2);
+  rig.let_go(0.2);
+  return {.counts = counts, .moved = during.value() - before.value()};
 }
 
 }  // namespace
@@ -61,10 +59,9 @@ std::vector<Finding> measure_motor_signs(MeasuringRig& rig) {
             number + 1),
         [&] {
           for (const double force : {0.9, MeasuringRig::greatest_force}) {
-            const MotorStop stop = take_pulse(rig, number, force, pulses[number]);
-            if (stop != MotorStop::none || pulses[number].has_moved()) return stop;
+            pulses[number] = take_pulse(rig, number, force);
+            if (pulses[number].has_moved()) return;
           }
-          return MotorStop::none;
         });
     if (!is_done) {
       finding.sentence = fmt::format("Motor {} was interrupted each time.", number + 1);
@@ -138,22 +135,21 @@ struct HoldTaken {
   bool is_carried = false;
 };
 
-MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken) {
+HoldTaken take_hold(MeasuringRig& rig, const Vector<3>& place) {
+  HoldTaken taken;
   Holder holder;
   std::optional<Vector<3>> begin;
   const auto towards_place = [&](const RigSample& sample) {
     if (!begin) begin = sample.position;
     return holder.counts(sample, glm::mix(*begin, place, std::min(1.0, sample.time_s / grip_s)));
   };
-  MotorStop stop = rig.drive(grip_s, towards_place);
-  if (stop != MotorStop::none) return stop;
+  rig.drive(grip_s, towards_place);
   rig.person().cue({.kind = OperatorAction::Kind::loosen});
   Vector<3> position{0.0};
-  stop = rig.drive(settle_s, [&](const RigSample& sample) {
+  rig.drive(settle_s, [&](const RigSample& sample) {
     position = sample.position;
     return holder.counts(sample, place);
   });
-  if (stop != MotorStop::none) return stop;
   taken.is_carried = glm::distance(position, place) <= carried;
   if (taken.is_carried) {
     Mean up;
@@ -166,7 +162,7 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
                                      : 4.0 * turn - 4.0,
                        turn < 0.25 || turn >= 0.75);
     };
-    stop = rig.drive(
+    rig.drive(
         sweeps * sweep_period_s,
         [&](const RigSample& sample) {
           return holder.counts(sample, place + Vector<3>(0.0, sweep_reach * sweep_at(sample.time_s).first, 0.0));
@@ -180,12 +176,12 @@ MotorStop take_hold(MeasuringRig& rig, const Vector<3>& place, HoldTaken& taken)
           if (force > 0.98 * MeasuringRig::greatest_force) taken.is_carried = false;  // they might need more
           (goes_up ? up : down).add(sample.counts);
         });
-    if (stop != MotorStop::none) return stop;
     taken.hold = {.up = up.value(), .down = down.value()};
     if (const auto jacobian = FalconKinematics(rig.calibration().geometry).jacobian(place)) taken.jacobian = *jacobian;
   }
   rig.person().cue({.kind = OperatorAction::Kind::hold_button, .place = place});
-  return rig.let_go(1.0);
+  rig.let_go(1.0);
+  return taken;
 }
 
 // Empty: the motors could not carry it, or it was interrupted each time.
@@ -199,7 +195,7 @@ std::optional<HoldTaken> hold_at(MeasuringRig& rig, const Vector<3>& place, std:
                                 : "3 cm to the left of the middle, 3 cm lower and 1 cm further out",
       load_words);
   const bool is_done = rig.with_button({.kind = OperatorAction::Kind::hold_button, .place = place}, words,
-                                       [&] { return take_hold(rig, place, taken); });
+                                       [&] { taken = take_hold(rig, place); });
   if (!is_done || !taken.is_carried) return std::nullopt;
   return taken;
 }

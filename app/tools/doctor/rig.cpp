@@ -40,8 +40,7 @@ constexpr std::string_view may_still_push_words =
     "Its motors may still push, and the program cannot stop them: unplug its power supply now. ";
 
 // In the order of MotorStop.
-constexpr std::array<std::string_view, 5> stop_words{
-    "",
+constexpr std::array<std::string_view, 4> stop_words{
     "The button was released, so the motors are off. This step starts again.",
     "The handle moved faster than 0.3 m/s, so the motors are off. Hold it more firmly. This step starts again.",
     "The handle left the middle of its workspace, so the motors are off. This step starts again.",
@@ -182,7 +181,7 @@ void MeasuringRig::rest(double seconds) {
   for (const double end_s = bench_.now_s() + seconds; bench_.now_s() < end_s;) poll();
 }
 
-MotorStop MeasuringRig::see(const ReplyFrame& reply, RigSample& sample) {
+std::optional<MotorStop> MeasuringRig::see(const ReplyFrame& reply, RigSample& sample) {
   if ((reply.status & 0x0F) == 0) return MotorStop::released;
   const Vector<3> start = place_count_ > 0 ? last_.position : cold_start;
   sample.legs = leg_counts(vector_of(reply.encoders), calibration_);
@@ -202,10 +201,10 @@ MotorStop MeasuringRig::see(const ReplyFrame& reply, RigSample& sample) {
   places_[at] = found.position;
   ++place_count_;
   last_ = sample;
-  return glm::length(sample.velocity) > fastest ? MotorStop::too_fast : MotorStop::none;
+  return glm::length(sample.velocity) > fastest ? std::optional(MotorStop::too_fast) : std::nullopt;
 }
 
-MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch) {
+void MeasuringRig::drive(double seconds, const Law& law, const Watch& watch) {
   const double began_s = bench_.now_s();
   const Vector<3> strongest(smallest_published_motor_constant);
   for (;;) {
@@ -217,14 +216,13 @@ MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch
     const ReplyFrame reply =
         exchange({.motors = in_frame_order(numbers, calibration_.motor_of_leg), .info = CommandFrame::blue});
     RigSample sample;
-    const MotorStop stop = was_lost_ ? MotorStop::no_reply : see(reply, sample);
-    if (stop != MotorStop::none) {
+    if (const auto stop = was_lost_ ? MotorStop::no_reply : see(reply, sample)) {
       turn_off();
-      return stop;
+      throw *stop;
     }
     sample.time_s = bench_.now_s() - began_s;
     if (watch) watch(sample);
-    if (sample.time_s >= seconds) return MotorStop::none;
+    if (sample.time_s >= seconds) return;
     Vector<3> wanted = law(sample);
     const double force = glm::length(force_of_motor_counts(wanted, sample.jacobian, strongest));
     if (!(force <= greatest_force)) wanted = force > 0.0 ? wanted * (greatest_force / force) : Vector<3>(0.0);
@@ -235,12 +233,12 @@ MotorStop MeasuringRig::drive(double seconds, const Law& law, const Watch& watch
   }
 }
 
-MotorStop MeasuringRig::let_go(double seconds) {
+void MeasuringRig::let_go(double seconds) {
   const Vector<3> from = sent_;
-  return drive(seconds, [&](const RigSample& sample) { return from * std::max(0.0, 1.0 - sample.time_s / seconds); });
+  drive(seconds, [&](const RigSample& sample) { return from * std::max(0.0, 1.0 - sample.time_s / seconds); });
 }
 
-MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
+void MeasuringRig::be_silent(double seconds, const Watch& after) {
   // In small pieces, so that an interruption is heard.
   constexpr double piece_s = 0.005;
   for (double left_s = seconds; left_s > 0.0; left_s -= piece_s) {
@@ -248,12 +246,12 @@ MotorStop MeasuringRig::be_silent(double seconds, const Watch& after) {
     stop_if_interrupted();
     if (!is_as_asked) {
       turn_off();
-      return MotorStop::no_reply;
+      throw MotorStop::no_reply;
     }
   }
   sent_ = Vector<3>(0.0);
   place_count_ = 0;  // a speed across the silence would be none
-  return drive(0.0, no_counts, after);
+  drive(0.0, no_counts, after);
 }
 
 void MeasuringRig::turn_off() {
@@ -269,8 +267,8 @@ bool MeasuringRig::await_ready(const Vector<3>& place) {
   place_count_ = 0;
   for (const double end_s = since_s + button_patience_s; bench_.now_s() < end_s;) {
     RigSample sample;
-    const bool is_ready = see(poll(), sample) == MotorStop::none && glm::distance(sample.position, place) <= near &&
-                          glm::length(sample.velocity) <= slow;
+    const bool is_ready =
+        !see(poll(), sample) && glm::distance(sample.position, place) <= near && glm::length(sample.velocity) <= slow;
     if (!is_ready) since_s = bench_.now_s();
     if (bench_.now_s() - since_s >= ready_s) return true;
   }
@@ -278,21 +276,27 @@ bool MeasuringRig::await_ready(const Vector<3>& place) {
 }
 
 bool MeasuringRig::with_button(const OperatorAction& action, const std::string& words,
-                               const std::function<MotorStop()>& what) {
-  MotorStop stop = MotorStop::none;
+                               const std::function<void()>& what) {
+  MotorStop stop = MotorStop::released;
   for (int i = 0; i < tries; ++i) {
     ask(action, words);
     stop = MotorStop::released;
-    if (await_ready(action.place)) {
-      stop = what();
-      turn_off();
-      if (stop == MotorStop::none) return true;
-      person_.tell(stop_words[static_cast<std::size_t>(stop)]);
-    } else {
+    if (!await_ready(action.place)) {
       person_.tell(
           "For 20 s, no button of the grip was held down while the handle was still and near its place. Go there "
           "first, then press any button and hold it down.");
+      continue;
     }
+    bool is_done = true;
+    try {
+      what();
+    } catch (const MotorStop& why) {
+      is_done = false;
+      stop = why;
+    }
+    turn_off();
+    if (is_done) return true;
+    person_.tell(stop_words[static_cast<std::size_t>(stop)]);
   }
   if (stop == MotorStop::too_fast || stop == MotorStop::left_workspace) {
     throw Failure(ExitCode::safety_stop,

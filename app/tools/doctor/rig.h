@@ -7,7 +7,7 @@
 // handle goes faster than `fastest` or leaves the workspace, and when a reply is missing.
 //
 // Everything may throw Failure: interrupted; absent, failed, where the device has gone or does not answer; safety_stop;
-// and Leave or Skip, where the person wants to.
+// and Leave or Skip, where the person wants to. What moves motors throws MotorStop once they are off.
 #pragma once
 
 #include <array>
@@ -70,7 +70,8 @@ struct Mean {
 struct LeaveMeasurement {};  // the person has typed q
 struct SkipMeasurement {};   // the person has typed s
 
-enum class MotorStop : std::uint8_t { none, released, too_fast, left_workspace, no_reply };
+// Why motors went off before their time.
+enum class MotorStop : std::uint8_t { released, too_fast, left_workspace, no_reply };
 
 // What is so at one tick, with motors on or off.
 struct RigSample {
@@ -117,21 +118,22 @@ class MeasuringRig {
   // Has the person hold a button near the action's place, does what is to be done, and turns the motors off. Whatever
   // stops it is told, and it is begun again, `tries` times in all. False: it never came to its end. Throws
   // Failure(safety_stop) where the handle was too fast or out of its workspace each time.
-  bool with_button(const OperatorAction& action, const std::string& words, const std::function<MotorStop()>& what);
+  bool with_button(const OperatorAction& action, const std::string& words, const std::function<void()>& what);
 
   // For what is called by with_button(). Goes on from whatever the motors do.
-  MotorStop drive(double seconds, const Law& law, const Watch& watch = {});
-  MotorStop let_go(double seconds);
+  void drive(double seconds, const Law& law, const Watch& watch = {});
+  void let_go(double seconds);
   // Says nothing to the device, and then looks with a command of zeros: the reply tells where the handle was when that
   // came, and a button that was let go of meanwhile waits no longer.
-  MotorStop be_silent(double seconds, const Watch& after);
+  void be_silent(double seconds, const Watch& after);
 
   // The motor counts, by leg, with which the strongest published motors make this force; weaker ones make less.
   static Vector<3> counts_for(const Vector<3>& force, const Matrix<3>& jacobian) noexcept;
 
  private:
   ReplyFrame exchange(const CommandFrame& command);
-  MotorStop see(const ReplyFrame& reply, RigSample& sample);
+  // Empty: nothing is against motors.
+  std::optional<MotorStop> see(const ReplyFrame& reply, RigSample& sample);
   void turn_off();
   bool await_ready(const Vector<3>& place);
 
