@@ -1,5 +1,5 @@
 // Completion of what a person types after the program's name: a shell asks the program by `ghostforce __complete WORDS`
-// and prints what it answers; one script for each shell does so. Not for the servo thread.
+// and prints what it answers; a script in assets/completion does so for each shell. Not for the servo thread.
 #pragma once
 
 #include <span>
@@ -20,10 +20,5 @@ std::string completions(const Manual& manual, std::span<const std::string> words
 bool is_option(std::string_view word) noexcept;
 
 inline constexpr std::string_view completing_command = "__complete";
-
-// For bash, zsh and fish. They need nothing but the shell and the program.
-extern const std::string_view bash_completion;
-extern const std::string_view zsh_completion;
-extern const std::string_view fish_completion;
 
 }  // namespace ghostforce

@@ -12,8 +12,8 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/completion.h"
 #include "app/cli/man_page.h"
+#include "embedded_completion.h"
 
 namespace ghostforce {
 namespace {
@@ -35,9 +35,9 @@ std::string page_of(const std::string& command) {
   return man_page(manual, *std::ranges::find(manual.commands, command, &ManualCommand::name));
 }
 
-template <const std::string_view& script>
+template <std::size_t number>
 std::string script_of(const std::string& command) {
-  if (command.empty()) return std::string(script);
+  if (command.empty()) return std::string(embedded_completion[number].contents);
   throw Failure(ExitCode::wrong_call,
                 fmt::format("a completion script is for all commands; leave out {}", quoted_text(command)));
 }
@@ -47,12 +47,10 @@ struct HelpFormat {
   std::string (*print)(const std::string& command);
 };
 
+// The scripts are in the order of CMakeLists.txt.
 constexpr std::array help_formats{
-    HelpFormat{"text", text_of},
-    HelpFormat{"man", page_of},
-    HelpFormat{"bash", script_of<bash_completion>},
-    HelpFormat{"zsh", script_of<zsh_completion>},
-    HelpFormat{"fish", script_of<fish_completion>},
+    HelpFormat{"text", text_of},     HelpFormat{"man", page_of},       HelpFormat{"bash", script_of<0>},
+    HelpFormat{"zsh", script_of<1>}, HelpFormat{"fish", script_of<2>},
 };
 
 }  // namespace
