@@ -14,34 +14,11 @@
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/files/xml_text.h"
+#include "embedded_report_style.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
 namespace {
-
-// The page holds all that it needs but the pictures. Nothing is said by colour alone.
-constexpr std::string_view style = R"(
-:root { color-scheme: light dark; --line: #8886; --bad: #b3261e; --good: #1a7f37; }
-@media (prefers-color-scheme: dark) { :root { --bad: #ff8a80; --good: #7ee787; } }
-body { font: 16px/1.5 system-ui, sans-serif; margin: 2rem auto; max-width: 110rem; padding: 0 1.5rem; }
-h1 { font-size: 1.5rem; margin-bottom: 0; }
-h2 { font-size: 1.2rem; margin: 2.5rem 0 .25rem; padding-top: 1rem; border-top: 1px solid var(--line); }
-table { border-collapse: collapse; }
-th, td { text-align: left; padding: .25rem 1.5rem .25rem 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-td.time { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-.pass { color: var(--good); } .FAIL { color: var(--bad); font-weight: bold; }
-code { background: #8882; padding: .15rem .4rem; border-radius: .25rem; overflow-wrap: anywhere; }
-.pictures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 1rem; margin-top: .75rem; }
-figure { margin: 0; } figcaption { margin-bottom: .25rem; }
-img { width: 100%; border: 1px solid var(--line); box-sizing: border-box; }
-.pair { position: relative; --from: 50%; }
-.pair img { display: block; }
-.pair img + img { position: absolute; inset: 0; clip-path: inset(0 0 0 var(--from)); }
-.slider { width: 100%; margin: 0; }
-.blink:checked ~ .pair img + img { clip-path: none; animation: blink 1.2s step-end infinite; }
-@keyframes blink { 50% { visibility: hidden; } }
-@media (max-width: 60rem) { .pictures { grid-template-columns: 1fr; } }
-)";
 
 constexpr std::string_view page_name = "report.html";
 constexpr std::string_view junit_name = "junit.xml";
@@ -197,16 +174,15 @@ double CheckReport::duration_s() const {
   return sum;
 }
 
-// The page shows the pictures as files beside it.
 std::string report_as_html(const CheckReport& report) {
   const std::vector<Verdict>& verdicts = report.verdicts;
   const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), report.failed());
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – ghostforce check</title>\n"
-      "<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
+      "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
       "<table>\n<thead><tr><th>verdict</th><th>case</th><th>what was found</th><th>time</th></tr></thead>\n<tbody>\n",
-      title, style, title, version, xml_text(report.folder));
+      title, embedded_report_style.front().contents, title, version, xml_text(report.folder));
   std::string sections;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Verdict& verdict = verdicts[i];
@@ -219,7 +195,6 @@ std::string report_as_html(const CheckReport& report) {
   return html + "</tbody>\n</table>\n" + sections + "</body>\n</html>\n";
 }
 
-// A testcase per case, as JUnit's readers take it.
 std::string report_as_junit(const CheckReport& report) {
   const std::string folder = xml_text(report.folder);
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"",

@@ -24,7 +24,7 @@ struct CheckReport {
   double duration_s() const;
 };
 
-// The page shows the pictures as files beside it.
+// The page holds all that it needs but the pictures, which are files beside it. It says nothing by colour alone.
 std::string report_as_html(const CheckReport& report);
 // A testcase per case, as JUnit's readers take it.
 std::string report_as_junit(const CheckReport& report);
