@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 #include <unistd.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -22,6 +21,7 @@
 #include "app/base/typed_text.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/cli/picture_options.h"
 #include "app/files/input_file.h"
 #include "app/files/toml_document.h"
@@ -288,27 +288,21 @@ int check_any(CheckOptions& options) {
 std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<CheckOptions>();
   files.reads(
-      command
-          .add_option("PATH", options->paths,
-                      "The folder with the cases, each a NAME.toml with its golden NAME.png; or lessons, each a .toml "
-                      "file or the name of a shipped one")
-          ->type_name("")
+      add_option(command, "PATH", options->paths,
+                 "The folder with the cases, each a NAME.toml with its golden NAME.png; or lessons, each a .toml "
+                 "file or the name of a shipped one")
           ->required()
           ->check(suggests(shipped_lesson_names())),
       files_read);
-  CLI::Option* const only = command.add_option("--only", options->only, "Check only these cases")->type_name("CASE");
+  CLI::Option* const only = add_option(command, "--only CASE", options->only, "Check only these cases");
   CLI::Option* const update_option =
-      command
-          .add_option("--update", options->update,
-                      "Store new goldens for these cases; without a name, for all that fail, after a question")
-          ->type_name("CASE")
+      add_option(command, "--update CASE", options->update,
+                 "Store new goldens for these cases; without a name, for all that fail, after a question")
           ->expected(0, CLI::detail::expected_max_vector_size)
           ->excludes(only);
   command.add_flag("--yes", options->asks_nothing, "Store them without a question")->needs(update_option);
-  files.writes(command
-                   .add_option("--report", options->report,
-                               "Write report.html, junit.xml and the pictures of cases that fail into this folder")
-                   ->type_name("DIR")
+  files.writes(add_option(command, "--report DIR", options->report,
+                          "Write report.html, junit.xml and the pictures of cases that fail into this folder")
                    ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
                    ->excludes(update_option),
                [](const std::string& folder) {
@@ -318,9 +312,8 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                  }
                  return paths;
                });
-  command
-      .add_option("--jobs", options->jobs, fmt::format("Draw in N processes at once, 1 to {}; default: 1", most_jobs))
-      ->type_name("N")
+  add_option(command, "--jobs N", options->jobs,
+             fmt::format("Draw in N processes at once, 1 to {}; default: 1", most_jobs))
       ->check(whole_number_between(1, most_jobs))
       ->excludes(update_option);
   command.add_flag("--json", options->json, "Print one JSON document for programs instead of lines")

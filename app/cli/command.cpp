@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <iterator>
@@ -9,13 +8,13 @@
 
 #include <fmt/core.h>
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
+#include "app/cli/option.h"
 #include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
@@ -66,27 +65,18 @@ void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
 }  // namespace
 
 void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_required) {
-  option =
-      files.reads(command
-                      .add_option("SCENE", scene,
+  option = files.reads(add_option(command, "SCENE", scene,
                                   "Path of a scene file, or name of a shipped scene; 'ghostforce --help' lists them")
-                      ->type_name("")
-                      ->check(suggests(shipped_scene_names())),
-                  [](const std::string& word) {
-                    const std::vector<std::string_view> shipped = shipped_scene_names();
-                    const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
-                    return is_shipped ? std::vector<std::string>{} : std::vector{word};
-                  });
+                           ->check(suggests(shipped_scene_names())),
+                       path_unless_one_of(shipped_scene_names()));
   if (scene_required) {
     option->required();
   } else {
     option->default_str(scene);
   }
-  repeatable(
-      command
-          .add_option("--set", overrides, "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
-          ->type_name("KEY=VALUE")
-          ->check(suggests_keys(KeyKind::any)));
+  repeatable(add_option(command, "--set KEY=VALUE", overrides,
+                        "Set a key of the scene, as in rendering.k_r_N_per_m=800; may be repeated")
+                 ->check(suggests_keys(KeyKind::any)));
 }
 
 bool SceneOptions::is_named() const {

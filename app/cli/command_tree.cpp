@@ -1,7 +1,6 @@
 #include "app/cli/command_tree.h"
 
 #include <algorithm>
-#include <array>
 #include <set>
 
 #include <fmt/format.h>
@@ -105,33 +104,24 @@ HelpText help_text_of(const CLI::App& command) {
 
 namespace {
 
-struct Row {
-  const char* name;
-  const char* meaning;
-};
+std::vector<ManualRow> environment_rows() {
+  return {{"GHOSTFORCE_FIRMWARE", "The Falcon's firmware file, where --firmware names none."},
+          {"LC_ALL, LC_MESSAGES, LANG", "The language of the stage and of lessons, until one is chosen."},
+          {"XDG_CONFIG_HOME, XDG_STATE_HOME", "Where ~/.config and ~/.local/state are, for the files below."},
+          {"SPEECHD_ADDRESS", "The socket of speech-dispatcher, for --speak: unix_socket:PATH."}};
+}
 
-constexpr std::array environment{
-    Row{"GHOSTFORCE_FIRMWARE", "The Falcon's firmware file, where --firmware names none."},
-    Row{"LC_ALL, LC_MESSAGES, LANG", "The language of the stage and of lessons, until one is chosen."},
-    Row{"XDG_CONFIG_HOME, XDG_STATE_HOME", "Where ~/.config and ~/.local/state are, for the files below."},
-    Row{"SPEECHD_ADDRESS", "The socket of speech-dispatcher, for --speak: unix_socket:PATH."},
-};
-
-constexpr std::array files{
-    Row{"~/.config/ghostforce/preferences.toml", "What was chosen in the window."},
-    Row{"~/.config/ghostforce/falcon/", "The Falcon's firmware, firmware.bin, and a calibration for each Falcon."},
-    Row{"~/.local/state/ghostforce/layout.toml", "The window's size, and which panels are folded."},
-    Row{"~/.local/state/ghostforce/lessons.toml", "What has been done of each lesson."},
-    Row{"/usr/share/ghostforce/scenes/",
-        "Copies of the shipped scenes, to start your own from. The program itself does not read them. Below another "
-        "prefix, if the program is not installed in /usr."},
-    Row{"/usr/share/doc/ghostforce/docs/", "The guides that messages name, such as docs/falcon.md."},
-};
-
-std::vector<ManualRow> rows_of(std::span<const Row> rows) {
-  std::vector<ManualRow> all;
-  for (const Row& row : rows) all.push_back({row.name, row.meaning});
-  return all;
+std::vector<ManualRow> file_rows() {
+  return {
+      {"~/.config/ghostforce/preferences.toml", "What was chosen in the window."},
+      {"~/.config/ghostforce/falcon/", "The Falcon's firmware, firmware.bin, and a calibration for each Falcon."},
+      {"~/.local/state/ghostforce/layout.toml", "The window's size, and which panels are folded."},
+      {"~/.local/state/ghostforce/lessons.toml", "What has been done of each lesson."},
+      {"/usr/share/ghostforce/scenes/",
+       "Copies of the shipped scenes, to start your own from. The program itself does not read them. Below another "
+       "prefix, if the program is not installed in /usr."},
+      {"/usr/share/doc/ghostforce/docs/", "The guides that messages name, such as docs/falcon.md."},
+  };
 }
 
 std::vector<ManualRow> exit_code_rows() {
@@ -204,8 +194,8 @@ Manual program_manual() {
                 .program = describe(tree->app, program_help_text(), nullptr),
                 .default_command = std::string(default_command),
                 .exit_codes = exit_code_rows(),
-                .environment = rows_of(environment),
-                .files = rows_of(files)};
+                .environment = environment_rows(),
+                .files = file_rows()};
   const std::string purpose = std::exchange(manual.program.sentence, std::string(program_sentence));
   manual.program.notes = fmt::format("{}\n{}", purpose, manual.program.notes);
   for (const Command& row : command_catalog()) {

@@ -7,13 +7,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/xdg_folders.h"
 #include "app/shell/input_link.h"
@@ -95,21 +95,16 @@ void tell_of_left_pushing(const FalconSerial& serial) noexcept {
 }  // namespace
 
 void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
-  files.reads(command
-                  .add_option("--firmware", firmware,
-                              "The Falcon's firmware file; default: $GHOSTFORCE_FIRMWARE, else "
-                              "~/.config/ghostforce/falcon/firmware.bin")
-                  ->type_name("FILE"));
-  command.add_option("--falcon-serial", serial, "Serial number of the Falcon to use; default: the first Falcon")
-      ->type_name("NUMBER");
-  command.add_option("--falcon-usb-id", usb_id, "USB ID of the Falcon, if it is not 0403:cb48")
-      ->type_name("VVVV:PPPP")
+  files.reads(add_option(command, "--firmware FILE", firmware,
+                         "The Falcon's firmware file; default: $GHOSTFORCE_FIRMWARE, else "
+                         "~/.config/ghostforce/falcon/firmware.bin"));
+  add_option(command, "--falcon-serial NUMBER", serial,
+             "Serial number of the Falcon to use; default: the first Falcon");
+  add_option(command, "--falcon-usb-id VVVV:PPPP", usb_id, "USB ID of the Falcon, if it is not 0403:cb48")
       ->check(refuse_other_than_usb_id);
   const std::vector<std::string_view> names = names_of(injected_fault_catalog());
-  repeatable(command
-                 .add_option("--misbehave", misbehave,
-                             fmt::format("With --input virtual-falcon: faults to inject. {}", listed(names)))
-                 ->type_name("NAME[,NAME]")
+  repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave,
+                        fmt::format("With --input virtual-falcon: faults to inject. {}", listed(names)))
                  ->delimiter(','))
       ->check(one_of(names));
 }

@@ -13,7 +13,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -21,6 +20,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
+#include "app/cli/option.h"
 #include "app/shell/desktop/offscreen.h"
 #include "app/shell/desktop/renderer.h"
 #include "app/tools/doctor/diagnosis.h"
@@ -163,28 +163,21 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
                        "Install the udev rule that lets the person at this machine use the devices; asks for root");
   command.add_flag("--udev-announced", options->is_udev_announced, "")->group("");
   CLI::Option* const wait =
-      command
-          .add_option(
-              "--wait", options->wait_s,
-              "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
-          ->type_name("S")
+      add_option(
+          command, "--wait S", options->wait_s,
+          "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->check(number_between(0.0, 3600.0, "s"));
-  command.add_option("--input", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
-      ->type_name("NAME")
+  add_option(command, "--input NAME", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
       ->check(one_of(names_of(falcon_kinds({}))));
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md");
   measure->excludes(json)->excludes(install)->excludes(wait);
-  files.writes(command
-                   .add_option("-o,--output", options->report,
-                               "With --measure: where the report goes; default: -, standard output")
-                   ->type_name("REPORT.md"));
+  files.writes(add_option(command, "-o,--output REPORT.md", options->report,
+                          "With --measure: where the report goes; default: -, standard output"));
   files.writes(
-      command
-          .add_option("--calibration", options->calibration,
-                      "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking")
-          ->type_name("FILE.toml"));
+      add_option(command, "--calibration FILE.toml", options->calibration,
+                 "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking"));
   options->falcon.attach(command, files);
   command.footer(
       "The steps: plugged in, allowed, free, firmware answers, homed, encoders move, fast enough. The first step that\n"

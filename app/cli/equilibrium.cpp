@@ -7,12 +7,12 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "core/conventions.h"
 #include "core/prediction.h"
 
@@ -105,10 +105,8 @@ int equilibrium(const EquilibriumOptions& options) {
 std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<EquilibriumOptions>();
   options->scene.attach(command, files, true);
-  command
-      .add_option("--goal-mm", options->goal_mm,
-                  "Where the hand wants to be, in mm; default: the scene's last waypoint")
-      ->type_name("X,Y");
+  add_option(command, "--goal-mm X,Y", options->goal_mm,
+             "Where the hand wants to be, in mm; default: the scene's last waypoint");
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(
       "The anisotropic strategy uses the scene's tracking ratio, so a wrong belief about the hand shows. If the "

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -16,6 +15,7 @@
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/files/run_reader.h"
 #include "app/tools/figures/figure_catalog.h"
@@ -86,8 +86,7 @@ int figures(const FiguresOptions& options) {
 
 std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<FiguresOptions>();
-  files.writes(command.add_option("-o,--output", options->folder, "The folder for the files; created if necessary")
-                   ->type_name("DIR")
+  files.writes(add_option(command, "-o,--output DIR", options->folder, "The folder for the files; created if necessary")
                    ->required(),
                [options = options.get()](const std::string& folder) {
                  std::vector<std::string> paths;
@@ -101,14 +100,11 @@ std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
                });
   std::string list;
   for (const FigureEntry& entry : figure_catalog()) list += fmt::format("  {:28}{}\n", entry.name, entry.sentence);
-  command.add_option("--only", options->only, "Make only these figures")
-      ->type_name("NAME")
+  add_option(command, "--only NAME", options->only, "Make only these figures")
       ->check(one_of(names_of(figure_catalog())));
   files.reads(
-      command
-          .add_option("--hand", options->hand,
-                      "A recording, or a CSV file from 'simulate': figure-6 shows its hand instead of a simulated one")
-          ->type_name("RUN.csv"));
+      add_option(command, "--hand RUN.csv", options->hand,
+                 "A recording, or a CSV file from 'simulate': figure-6 shows its hand instead of a simulated one"));
   command.footer(
       "Figures:\n" + list +
       "\n"

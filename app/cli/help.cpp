@@ -6,13 +6,13 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
 #include "app/cli/man_page.h"
+#include "app/cli/option.h"
 #include "embedded_completion.h"
 
 namespace ghostforce {
@@ -57,14 +57,11 @@ constexpr std::array help_formats{
 
 std::function<int()> attach_help(CLI::App& command, FileOptions&) {
   const auto options = std::make_shared<HelpOptions>();
-  command.add_option("COMMAND", options->command, "The command to describe; default: the program as a whole")
-      ->type_name("")
+  add_option(command, "COMMAND", options->command, "The command to describe; default: the program as a whole")
       ->check(one_of(names_of(command_catalog())));
-  command
-      .add_option("--format", options->format,
-                  "text, as --help prints it; man, a manual page; or bash, zsh or fish, a script with which that shell "
-                  "completes commands, options, scenes, lessons and keys; default: text")
-      ->type_name("NAME")
+  add_option(command, "--format NAME", options->format,
+             "text, as --help prints it; man, a manual page; or bash, zsh or fish, a script with which that shell "
+             "completes commands, options, scenes, lessons and keys; default: text")
       ->check(one_of(names_of(help_formats)));
   command.footer(
       "A package or an installation brings the manual pages and the scripts along. To try a script without one, see\n"

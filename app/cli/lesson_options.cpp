@@ -1,36 +1,27 @@
 #include "app/cli/lesson_options.h"
 
-#include <algorithm>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/language.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/state/faces_and_modes.h"
 #include "app/state/lesson_file.h"
 #include "device/report/input_choice.h"
 
 namespace ghostforce {
 
-std::vector<std::string> files_of_lesson(const std::string& word) {
-  const std::vector<std::string_view> shipped = shipped_lesson_names();
-  const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
-  return is_shipped ? std::vector<std::string>{} : std::vector{word};
-}
-
 void attach_language(CLI::App& command, std::string& language, std::string_view usual_language) {
-  command
-      .add_option("--language", language,
-                  fmt::format("The language of the stage and of lessons, as two letters: {}, or another that the "
-                              "lesson has; default: {}",
-                              listed(languages_with({})), usual_language))
-      ->type_name("CODE")
+  add_option(command, "--language CODE", language,
+             fmt::format("The language of the stage and of lessons, as two letters: {}, or another that the "
+                         "lesson has; default: {}",
+                         listed(languages_with({})), usual_language))
       ->check(suggests(languages_with({})));
 }
 
@@ -44,10 +35,10 @@ std::string language_wanted(const std::string& asked_for, const std::string& kep
 }
 
 void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_view usual_language) {
-  files.reads(command.add_option("--lesson", name, "A lesson that comes with the program, or the path of one")
-                  ->type_name("NAME|FILE")
-                  ->check(suggests(shipped_lesson_names())),
-              files_of_lesson);
+  files.reads(
+      add_option(command, "--lesson NAME|FILE", name, "A lesson that comes with the program, or the path of one")
+          ->check(suggests(shipped_lesson_names())),
+      path_unless_one_of(shipped_lesson_names()));
   attach_language(command, language, usual_language);
 }
 

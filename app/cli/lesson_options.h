@@ -16,9 +16,6 @@ class App;
 
 namespace ghostforce {
 
-// The files that a word means which names a lesson: none where the lesson comes with the program.
-std::vector<std::string> files_of_lesson(const std::string& word);
-
 // --language, empty where it is not given. `usual_language`: what it is then, for the help.
 void attach_language(CLI::App& command, std::string& language, std::string_view usual_language);
 // The language that the person wants to read. `kept`: from an earlier run; empty: none. Throws Failure(wrong_call)

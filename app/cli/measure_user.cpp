@@ -13,7 +13,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/base/failure.h"
@@ -21,6 +20,7 @@
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/run_reader.h"
 #include "app/runs/live_readings.h"
 #include "core/conventions.h"
@@ -374,14 +374,11 @@ int measure_user(const MeasureUserOptions& options) {
 
 std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<MeasureUserOptions>();
-  files.reads(command.add_option("RUN.csv", options->run, "A CSV file from 'simulate', 'replay' or a recording")
-                  ->type_name("")
-                  ->required());
-  command
-      .add_option("--target-mm", options->target_mm,
-                  "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device "
-                  "unless tones measured the hand; ignored for a simulated one")
-      ->type_name("X,Y");
+  files.reads(
+      add_option(command, "RUN.csv", options->run, "A CSV file from 'simulate', 'replay' or a recording")->required());
+  add_option(command, "--target-mm X,Y", options->target_mm,
+             "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device "
+             "unless tones measured the hand; ignored for a simulated one");
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
   command.footer(
       "Wherever hand and device rest at the wall, the drift of the proxy along it gives the ratio ρ° at which there\n"

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
@@ -63,6 +64,13 @@ CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const Fi
                      return paths;
                    }});
   return option;
+}
+
+FileOptions::FilesOf path_unless_one_of(std::vector<std::string_view> shipped) {
+  return [shipped = std::move(shipped)](const std::string& word) {
+    const bool is_shipped = std::ranges::find(shipped, word) != shipped.end();
+    return is_shipped ? std::vector<std::string>{} : std::vector{word};
+  };
 }
 
 void refuse_to_overwrite(std::span<const FileOption> options) {

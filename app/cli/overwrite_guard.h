@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CLI {
@@ -44,6 +45,9 @@ class FileOptions {
 
   std::vector<FileOption> list_;
 };
+
+// Of a word that may be the name of something shipped: that is no file, anything else a path.
+FileOptions::FilesOf path_unless_one_of(std::vector<std::string_view> shipped);
 
 // The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file
 // that is an input or another output too.

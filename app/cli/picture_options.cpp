@@ -1,9 +1,9 @@
 #include "app/cli/picture_options.h"
+#include "app/cli/option.h"
 
 #include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
@@ -14,29 +14,20 @@ namespace ghostforce {
 void PictureOptions::attach(CLI::App& command, bool with_all) {
   std::vector<std::string_view> strategies = names_of(strategy_catalog());
   if (with_all) strategies.push_back(every_strategy);
-  command
-      .add_option("--strategy", strategy,
-                  with_all ? "full, naive or anisotropic alone, or all in one picture; default: the scene's own"
-                           : "full, naive or anisotropic: the strategy to start with; default: the scene's own")
-      ->type_name("NAME")
+  add_option(command, "--strategy NAME", strategy,
+             with_all ? "full, naive or anisotropic alone, or all in one picture; default: the scene's own"
+                      : "full, naive or anisotropic: the strategy to start with; default: the scene's own")
       ->check(one_of(strategies));
-  command
-      .add_option("--view", view,
-                  with_all
-                      ? "stage, what the window opens with, or workbench, with panels and numbers; default: workbench"
+  add_option(command, "--view FACE", view,
+             with_all ? "stage, what the window opens with, or workbench, with panels and numbers; default: workbench"
                       : "stage or workbench; default: the one used last, at first the stage")
-      ->type_name("FACE")
       ->check(one_of(names_of(face_catalog)));
-  command
-      .add_option("--mode", mode,
-                  "A mode of the stage: predict, why, landscape, round, ribbon or measure; default: none")
-      ->type_name("NAME")
+  add_option(command, "--mode NAME", mode,
+             "A mode of the stage: predict, why, landscape, round, ribbon or measure; default: none")
       ->check(one_of(names_of(stage_mode_catalog())));
-  command.add_option("--theme", theme, "light, dark or projector; default: light")
-      ->type_name("NAME")
+  add_option(command, "--theme NAME", theme, "light, dark or projector; default: light")
       ->check(one_of(names_of(theme_catalog())));
-  command.add_option("--scale", scale, "Size of text and lines, 0.75 to 3; default: 1")
-      ->type_name("FACTOR")
+  add_option(command, "--scale FACTOR", scale, "Size of text and lines, 0.75 to 3; default: 1")
       ->check(number_between(Appearance::least_scale, Appearance::greatest_scale, ""));
 }
 
@@ -79,9 +70,8 @@ void attach_renderer(CLI::App& command, std::optional<Renderer>& renderer) {
 
 void SetUpOptions::attach(CLI::App& command, FileOptions& files) {
   scene.attach(command, files, false);
-  command
-      .add_option("--goal-mm", goal_mm, "Where your hand starts, at rest, in mm; default: the scene's last waypoint")
-      ->type_name("X,Y");
+  add_option(command, "--goal-mm X,Y", goal_mm,
+             "Where your hand starts, at rest, in mm; default: the scene's last waypoint");
   picture.attach(command, false);
 }
 

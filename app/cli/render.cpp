@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "app/base/failure.h"
@@ -17,6 +16,7 @@
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
 #include "app/cli/lesson_options.h"
+#include "app/cli/option.h"
 #include "app/cli/picture_options.h"
 #include "app/files/clip_file.h"
 #include "app/files/output_file.h"
@@ -218,57 +218,43 @@ int render(const RenderOptions& options) {
 std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RenderOptions>();
   options->scene.attach(command, files, false);
-  files.writes(command
-                   .add_option("-o,--output", options->output,
-                               "The file to write, whole or not at all: vectors for .svg and .pdf, a PNG for any other "
-                               "name; - is standard output; for a clip, see --clip")
-                   ->type_name("FILE")
+  files.writes(add_option(command, "-o,--output FILE", options->output,
+                          "The file to write, whole or not at all: vectors for .svg and .pdf, a PNG for any other "
+                          "name; - is standard output; for a clip, see --clip")
                    ->required());
-  command.add_option("--at", options->at_s, "The time to show [s]; default: the scene's duration")
-      ->type_name("T")
+  add_option(command, "--at T", options->at_s, "The time to show [s]; default: the scene's duration")
       ->check(number_between(0.0, longest_s, "s"));
-  command
-      .add_option("--size", options->size,
-                  "Size in pixels, or in points for SVG and PDF, 64 to 4096 each way; default: 1280x800")
-      ->type_name("WxH");
-  command
-      .add_option("--part", options->part,
-                  "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF, and for "
-                  "clips of the stage")
-      ->type_name("PART")
+  add_option(command, "--size WxH", options->size,
+             "Size in pixels, or in points for SVG and PDF, 64 to 4096 each way; default: 1280x800");
+  add_option(command, "--part PART", options->part,
+             "window, with panels and bars, or scene, alone; default: window, but scene for SVG and PDF, and for "
+             "clips of the stage")
       ->check(one_of({"window", "scene"}));
   options->picture.attach(command, true);
-  command
-      .add_option("--compare", options->compare,
-                  "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
-      ->type_name("MODE")
+  add_option(command, "--compare MODE", options->compare,
+             "overlay, side-by-side or active-only; default: overlay with --strategy all, else active-only")
       ->check(one_of(names_of(compare_catalog())));
   command
       .add_flag_callback(
           "--landscape", [options] { options->picture.mode = stage_mode_name(StageMode::landscape); },
           "The map of all walls and hands: short for --mode landscape")
       ->excludes(command.get_option("--mode"));
-  CLI::Option* const json = files.writes(
-      command.add_option("--json", options->json, "Also write what was drawn, as JSON")->type_name("FILE"));
-  command
-      .add_option(
-          "--clip", options->clip,
-          "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, as an "
-          "animated .png, or as .mp4 or .webm if ffmpeg is installed")
-      ->type_name("FROM:TO:FPS")
+  CLI::Option* const json =
+      files.writes(add_option(command, "--json FILE", options->json, "Also write what was drawn, as JSON"));
+  add_option(
+      command, "--clip FROM:TO:FPS", options->clip,
+      "A clip instead of one picture: from one time to another [s] with so many pictures a second, 1 to 60, as an "
+      "animated .png, or as .mp4 or .webm if ffmpeg is installed")
       ->excludes(command.get_option("--at"))
       ->excludes(json);
   options->lesson.attach(command, files, "en");
   CLI::Option* const lesson = command.get_option("--lesson");
-  command.add_option("--step", options->step, "The step of the lesson, from 1; default: 1")
-      ->type_name("N")
+  add_option(command, "--step N", options->step, "The step of the lesson, from 1; default: 1")
       ->needs(lesson)
       ->check(whole_number_from(1));
-  command
-      .add_option("--answer", options->answer,
-                  "After an answer to its question: the number of one of the answers; for a guess or a task, 1 for a "
-                  "right one and 2 for another")
-      ->type_name("K")
+  add_option(command, "--answer K", options->answer,
+             "After an answer to its question: the number of one of the answers; for a guess or a task, 1 for a "
+             "right one and 2 for another")
       ->needs(lesson)
       ->check(whole_number_from(1));
   attach_renderer(command, options->renderer);

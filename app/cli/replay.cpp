@@ -12,12 +12,12 @@
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/files/program_build.h"
 #include "app/files/run.h"
@@ -254,15 +254,12 @@ int replay_run(const ReplayOptions& options) {
 
 std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<ReplayOptions>();
-  files.reads(command.add_option("RUN", options->run, "A CSV file from a recording, 'simulate' or 'replay'")
-                  ->type_name("")
-                  ->required());
+  files.reads(
+      add_option(command, "RUN", options->run, "A CSV file from a recording, 'simulate' or 'replay'")->required());
   options->scene.scene.clear();
   options->scene.attach(command, files, false);
-  files.writes(command
-                   .add_option("-o,--output", options->output,
-                               "The CSV file to write, whole or not at all; default: -, standard output")
-                   ->type_name("FILE"));
+  files.writes(add_option(command, "-o,--output FILE", options->output,
+                          "The CSV file to write, whole or not at all; default: -, standard output"));
   command.footer(
       "Drives all three strategies with the hand of the run, repeats the changes that were made while it ran, and\n"
       "checks whether every number comes out the same, bit for bit: exit code 0 if so, 1 if not. This is promised for\n"

@@ -6,7 +6,6 @@
 #include <string>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -15,6 +14,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
+#include "app/cli/option.h"
 #include "app/paint/vector/vector_file_painter.h"
 #include "app/shell/desktop/glfw_window.h"
 #include "app/shell/session_replay.h"
@@ -94,9 +94,8 @@ int replay_session(const ReplaySessionOptions& options) {
 
 std::function<int()> attach_replay_session(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<ReplaySessionOptions>();
-  files.reads(command.add_option("SESSION", options->session, "A file from 'ghostforce run --record-session'")
-                  ->type_name("")
-                  ->required());
+  files.reads(
+      add_option(command, "SESSION", options->session, "A file from 'ghostforce run --record-session'")->required());
   command.add_flag("--headless", options->is_headless,
                    "Without a display and as fast as it goes; the result is the line that is printed");
   command.footer(

@@ -14,7 +14,6 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -24,6 +23,7 @@
 #include "app/cli/command.h"
 #include "app/cli/desktop_inputs.h"
 #include "app/cli/lesson_options.h"
+#include "app/cli/option.h"
 #include "app/cli/picture_options.h"
 #include "app/cli/reading_aloud.h"
 #include "app/cli/version.h"
@@ -303,30 +303,23 @@ int run(const RunOptions& options) {
 std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<RunOptions>();
   options->set_up.attach(command, files);
-  files.reads(command
-                  .add_option("--input", options->input,
-                              "What moves the goal: mouse, script (the scene's scripted hand), circle (round a circle "
-                              "inside the wall), spacemouse, falcon, virtual-falcon (a rehearsal) or replay:FILE (a "
-                              "recording, with its own scene unless you name one); default: mouse")
-                  ->type_name("NAME")
+  files.reads(add_option(command, "--input NAME", options->input,
+                         "What moves the goal: mouse, script (the scene's scripted hand), circle (round a circle "
+                         "inside the wall), spacemouse, falcon, virtual-falcon (a rehearsal) or replay:FILE (a "
+                         "recording, with its own scene unless you name one); default: mouse")
                   ->check(refuse_other_than_input)
                   ->check(suggests(input_names(replay_begins()))),
               [](const std::string& word) {
                 return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
                                                          : std::vector<std::string>{};
               });
-  files.writes(
-      command
-          .add_option("--record", options->record,
-                      "Record every tick, starting with the first, to this CSV file, which must not exist yet; when "
-                      "it ends, a receipt is written beside it (docs/recording.md)")
-          ->type_name("FILE")
-          ->check(refuse_standard_output));
-  files.writes(command
-                   .add_option("--record-session", options->record_session,
-                               "Write what you do to this file, which must not exist yet: a line for each action, for "
-                               "'ghostforce replay-session' (docs/sessions.md)")
-                   ->type_name("FILE")
+  files.writes(add_option(command, "--record FILE", options->record,
+                          "Record every tick, starting with the first, to this CSV file, which must not exist yet; when "
+                          "it ends, a receipt is written beside it (docs/recording.md)")
+                   ->check(refuse_standard_output));
+  files.writes(add_option(command, "--record-session FILE", options->record_session,
+                          "Write what you do to this file, which must not exist yet: a line for each action, for "
+                          "'ghostforce replay-session' (docs/sessions.md)")
                    ->check(refuse_standard_output));
   options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
   options->kiosk.attach(command);
@@ -335,19 +328,14 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                    "Open a second window for the audience, with the stage alone; the first one has your notes "
                    "(docs/stage.md)");
   command.add_flag("--no-hints", options->no_hints, "Do not show the hints for newcomers");
-  command
-      .add_option("--print-values", options->printed_hz,
-                  "Print what the stage says to the standard output, for screen readers and loggers: a line when it "
-                  "changes, at most this many times a second (docs/reading-aloud.md)")
-      ->type_name("HZ")
+  add_option(command, "--print-values HZ", options->printed_hz,
+             "Print what the stage says to the standard output, for screen readers and loggers: a line when it "
+             "changes, at most this many times a second (docs/reading-aloud.md)")
       ->check(number_between(PrintedValues::least_hz, PrintedValues::greatest_hz, "Hz"));
   command.add_flag("--speak", options->speaks, "Read the stage's sentence aloud, through speech-dispatcher");
-  command
-      .add_option("--shader-dir", options->shader_folder,
-                  "Load the shaders from this folder, and reload them whenever one changes")
-      ->type_name("DIR");
-  command.add_option("--exit-after", options->exit_after_s, "Close the window after this many seconds")
-      ->type_name("S")
+  add_option(command, "--shader-dir DIR", options->shader_folder,
+             "Load the shaders from this folder, and reload them whenever one changes");
+  add_option(command, "--exit-after S", options->exit_after_s, "Close the window after this many seconds")
       ->check(number_between(0.0, longest_s, "s"));
   command.footer(
       "Drag anywhere in the scene: your hand follows.\n"

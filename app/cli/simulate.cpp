@@ -4,11 +4,10 @@
 #include <string_view>
 #include <vector>
 
-#include <CLI/CLI.hpp>
-
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/files/run.h"
 #include "core/goal_path.h"
@@ -48,13 +47,10 @@ std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
   options->scene.attach(command, files, true);
   std::vector<std::string_view> strategies = names_of(strategy_catalog());
   strategies.push_back(every_strategy);
-  command.add_option("--strategy", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
-      ->type_name("NAME")
+  add_option(command, "--strategy NAME", options->strategy, "full, naive, anisotropic or all; default: the scene's own")
       ->check(one_of(strategies));
-  files.writes(command
-                   .add_option("-o,--output", options->output,
-                               "The CSV file to write, whole or not at all; default: -, standard output")
-                   ->type_name("FILE"));
+  files.writes(add_option(command, "-o,--output FILE", options->output,
+                          "The CSV file to write, whole or not at all; default: -, standard output"));
   command.footer(
       "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
       "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <fmt/core.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -18,6 +17,7 @@
 #include "app/base/quoted.h"
 #include "app/base/words.h"
 #include "app/cli/command.h"
+#include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/files/run.h"
 #include "app/tools/sweep/sweep.h"
@@ -88,25 +88,19 @@ int sweep_command(const SweepOptions& options) {
 std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<SweepOptions>();
   options->scene.attach(command, files, true);
-  repeatable(command
-                 .add_option("--over", options->ranges,
-                             "Vary a numeric key of the scene over COUNT values from FROM to TO, both included, in "
-                             "equal steps or, with :log, in equal ratios; may be given twice")
-                 ->type_name("KEY=FROM:TO:COUNT[:log]")
+  repeatable(add_option(command, "--over KEY=FROM:TO:COUNT[:log]", options->ranges,
+                        "Vary a numeric key of the scene over COUNT values from FROM to TO, both included, in "
+                        "equal steps or, with :log, in equal ratios; may be given twice")
                  ->check(suggests_keys(KeyKind::number))
                  ->required());
-  command
-      .add_option("--at-rest", options->kind,
-                  "How to compute where things come to rest: closed-form, simulated or both; default: both. The closed "
-                  "form is hundreds of times faster")
-      ->type_name("HOW")
+  add_option(command, "--at-rest HOW", options->kind,
+             "How to compute where things come to rest: closed-form, simulated or both; default: both. The closed "
+             "form is hundreds of times faster")
       ->check(one_of(names_of(equilibrium_kinds)));
   files.writes(
-      command
-          .add_option("-o,--output", options->output,
-                      "The CSV file to write; default: -, standard output. Ctrl+C leaves whole rows and a last line "
-                      "'# interrupted'")
-          ->type_name("FILE"));
+      add_option(command, "-o,--output FILE", options->output,
+                 "The CSV file to write; default: -, standard output. Ctrl+C leaves whole rows and a last line "
+                 "'# interrupted'"));
   command.footer(
       "One row per point and strategy (all three), at rest under the last waypoint of the scene's path. The second "
       "key\n"

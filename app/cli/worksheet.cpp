@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <fmt/format.h>
-#include <CLI/CLI.hpp>
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
@@ -14,6 +13,7 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/lesson_options.h"
+#include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/state/lesson_file.h"
@@ -81,20 +81,16 @@ int worksheet(const WorksheetOptions& options) {
 
 std::function<int()> attach_worksheet(CLI::App& command, FileOptions& files) {
   const auto options = std::make_shared<WorksheetOptions>();
-  files.reads(command
-                  .add_option("LESSON", options->lessons,
-                              "Lessons that come with the program, or paths of others; default: all that come with it")
-                  ->type_name("")
+  files.reads(add_option(command, "LESSON", options->lessons,
+                         "Lessons that come with the program, or paths of others; default: all that come with it")
                   ->check(suggests(shipped_lesson_names())),
-              files_of_lesson);
-  files.writes(
-      command.add_option("-o,--output", options->output, "The PDF to write, whole or not at all; - is standard output")
-          ->type_name("FILE.pdf")
-          ->required());
+              path_unless_one_of(shipped_lesson_names()));
+  files.writes(add_option(command, "-o,--output FILE.pdf", options->output,
+                          "The PDF to write, whole or not at all; - is standard output")
+                   ->required());
   command.add_flag("--answers", options->has_answers, "Make the pages with the answers instead, for the teacher");
   attach_language(command, options->language, worksheet_language);
-  command.add_option("--paper", options->paper, "a4 or letter; default: a4")
-      ->type_name("SIZE")
+  add_option(command, "--paper SIZE", options->paper, "a4 or letter; default: a4")
       ->check(one_of(names_of(worksheet_paper_catalog)));
   command.footer(
       "A page for each lesson: pictures of the stage, questions with boxes to tick, lines to write on. A very long\n"
