@@ -21,6 +21,14 @@ inline std::string_view trimmed(std::string_view text) noexcept {
   return text.substr(0, text.find_last_not_of(blanks) + 1);
 }
 
+// The text up to the separator, which is taken off `rest` with it.
+inline std::string_view take_until(std::string_view& rest, char separator) noexcept {
+  const std::size_t end = rest.find(separator);
+  const std::string_view piece = rest.substr(0, end);
+  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
+  return piece;
+}
+
 // A number, and nothing but it; empty: there is none. `base`: of a whole number, if not 10.
 template <typename Number, typename... Base>
 std::optional<Number> number_in(std::string_view text, Base... base) noexcept {

@@ -2,11 +2,11 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <climits>
 #include <cstdio>
 
 #include "app/base/interruption.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 
@@ -19,19 +19,18 @@ void write_words(std::string_view words) noexcept {
   }
 }
 
-std::string wrapped(std::string_view text, std::size_t longest_line) {
+std::string wrapped(std::string_view text, std::size_t longest_line, std::string_view indent) {
   std::string lines;
   std::size_t length = 0;  // of the last line
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
+    const std::string_view word = take_until(text, ' ');
     if (length > 0) {
-      const bool fits = length + 1 + end <= longest_line;
-      lines += fits ? ' ' : '\n';
+      const bool fits = length + 1 + word.size() <= longest_line;
+      lines += fits ? " " : fmt::format("\n{}", indent);
       length = fits ? length + 1 : 0;
     }
-    lines += text.substr(0, end);
-    length += end;
-    text.remove_prefix(std::min(end + 1, text.size()));
+    lines += word;
+    length += word.size();
   }
   return lines;
 }

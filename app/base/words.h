@@ -21,7 +21,7 @@ void say(fmt::format_string<Values...> format, Values&&... values) {
 }
 
 // With line breaks in place of blanks where a line would be longer than so many bytes; a longer word has a line of its
-// own.
-std::string wrapped(std::string_view text, std::size_t longest_line);
+// own. `indent` stands before each line but the first, and does not count.
+std::string wrapped(std::string_view text, std::size_t longest_line, std::string_view indent = {});
 
 }  // namespace ghostforce

@@ -27,7 +27,7 @@ constexpr std::string_view notes =
     "(one motor, and the proxy follows softly where no motor is).\n"
     "\n"
     "SCENE is the path of a scene file, or the name of a shipped scene:\n"
-    "{}\n"
+    "  {}\n"
     "\n"
     "Data go to standard output, messages to standard error.";
 
@@ -87,12 +87,7 @@ std::shared_ptr<CommandTree> make_command_tree() {
 
 HelpText program_help_text() {
   // Narrow: a manual page leaves these lines as they are.
-  std::string scenes = "  ";
-  for (const char c : wrapped(listed(shipped_scene_names()), 70)) {
-    scenes += c;
-    if (c == '\n') scenes += "  ";
-  }
-  return {fmt::format(notes, scenes), std::string(examples)};
+  return {fmt::format(notes, wrapped(listed(shipped_scene_names()), 70, "  ")), std::string(examples)};
 }
 
 HelpText help_text_of(const CLI::App& command) {

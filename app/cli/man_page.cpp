@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 namespace {
@@ -29,11 +30,7 @@ std::string italic(std::string_view text) {
 
 std::vector<std::string_view> split_at(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find(separator), text.size());
-    parts.push_back(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  while (!text.empty()) parts.push_back(take_until(text, separator));
   return parts;
 }
 

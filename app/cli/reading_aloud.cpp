@@ -109,18 +109,10 @@ std::string columns_of(const StageReading& reading) {
                      slide_column(numbers.slide));
 }
 
-std::string with_time(const std::string& columns, double time_s) {
-  return fmt::format("{}\t{:.3f}\n", columns, time_s);
-}
-
 }  // namespace
 
 std::string printed_header() {
   return "# sentence\tstrategy\tforce N\twall's share N\tghost force N\tslide mm\ttime s\n";
-}
-
-std::string printed_line(const StageReading& reading, double time_s) {
-  return with_time(columns_of(reading), time_s);
 }
 
 bool PrintedValues::advance(double interval_s) noexcept {
@@ -130,7 +122,7 @@ bool PrintedValues::advance(double interval_s) noexcept {
 
 std::optional<std::string> PrintedValues::poll(const StageReading& reading, double time_s, bool is_past) {
   std::string columns = columns_of(reading);
-  std::string line = with_time(columns, time_s);
+  std::string line = fmt::format("{}\t{:.3f}\n", columns, time_s);
   if (is_past) columns = line;
   if (columns == printed_) return std::nullopt;
   printed_ = std::move(columns);

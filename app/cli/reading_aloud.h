@@ -17,12 +17,10 @@ namespace ghostforce {
 // with units. Each line has its end of line.
 std::string printed_header();
 
-// What the stage says as a line of text: the sentence first, since that is what one listens to, then the numbers as
-// they stand on the stage. Columns are separated by tabs; what cannot be known, or is hidden, is "-". The minus sign is
-// ASCII's, which programs read. `time_s`: of the moment that is shown, in the model's time.
-std::string printed_line(const StageReading& reading, double time_s);
-
-// When there is a line to print: at most so many times a second, and only when something else than the time is new.
+// What the stage says as lines of text: the sentence first, since that is what one listens to, then the numbers as they
+// stand on the stage. Columns are separated by tabs; what cannot be known, or is hidden, is "-". The minus sign is
+// ASCII's, which programs read. A line at most so many times a second, and only when something else than the time is
+// new.
 class PrintedValues {
  public:
   static constexpr double least_hz = 0.1;
@@ -33,7 +31,8 @@ class PrintedValues {
   // Time goes on. True: it is time to poll().
   bool advance(double interval_s) noexcept;
 
-  // The line to print; empty: nothing is new. `is_past`: who looks back wants to hear of each moment.
+  // The line to print; empty: nothing is new. `time_s`: of the moment that is shown, in the model's time. `is_past`: who
+  // looks back wants to hear of each moment.
   std::optional<std::string> poll(const StageReading& reading, double time_s, bool is_past = false);
 
  private:

@@ -149,19 +149,11 @@ Rendering paint_moment(const PictureRequest& request, const Moment& moment, cons
   return {std::move(file), std::move(panes), Vector<2>(0.0)};
 }
 
-// Up to the next colon, and past it; the last part has none.
-std::string_view take_part(std::string_view& text) {
-  const std::size_t colon = text.find(':');
-  const std::string_view part = trimmed(text.substr(0, colon));
-  text = colon == std::string_view::npos ? std::string_view() : text.substr(colon + 1);
-  return part;
-}
-
 // FROM:TO:FPS, in seconds and pictures a second. Throws Failure(wrong_call).
 ClipTimes clip_times_from(std::string_view text) {
   std::string_view rest = text;
-  const std::optional<double> from = number_in<double>(take_part(rest));
-  const std::optional<double> to = number_in<double>(take_part(rest));
+  const std::optional<double> from = number_in<double>(trimmed(take_until(rest, ':')));
+  const std::optional<double> to = number_in<double>(trimmed(take_until(rest, ':')));
   const std::optional<int> frames_per_second = number_in<int>(trimmed(rest));
   const auto refuse = [&](std::string_view why) {
     return Failure(ExitCode::wrong_call,

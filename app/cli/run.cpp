@@ -313,10 +313,11 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                 return word.starts_with(replay_begins()) ? std::vector{word.substr(replay_begins().size())}
                                                          : std::vector<std::string>{};
               });
-  files.writes(add_option(command, "--record FILE", options->record,
-                          "Record every tick, starting with the first, to this CSV file, which must not exist yet; when "
-                          "it ends, a receipt is written beside it (docs/recording.md)")
-                   ->check(refuse_standard_output));
+  files.writes(
+      add_option(command, "--record FILE", options->record,
+                 "Record every tick, starting with the first, to this CSV file, which must not exist yet; when "
+                 "it ends, a receipt is written beside it (docs/recording.md)")
+          ->check(refuse_standard_output));
   files.writes(add_option(command, "--record-session FILE", options->record_session,
                           "Write what you do to this file, which must not exist yet: a line for each action, for "
                           "'ghostforce replay-session' (docs/sessions.md)")

@@ -10,20 +10,11 @@
 #include <fmt/format.h>
 
 #include "app/files/descriptor.h"
+#include "app/files/output_file.h"
 #include "app/files/tool_process.h"
 
 namespace ghostforce {
 namespace {
-
-bool write_all(int descriptor, std::string_view bytes) noexcept {
-  while (!bytes.empty()) {
-    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return lseek(descriptor, 0, SEEK_SET) == 0;
-}
 
 struct Tool {
   const char* package;
@@ -45,7 +36,7 @@ std::string reason(int error) {
 std::string ClipboardTool::copy_png(std::string_view png, DisplayKind display) {
   if (display == DisplayKind::none) return "There is no desktop to copy a picture to.";
   const Descriptor picture(memfd_create("picture", MFD_CLOEXEC));
-  if (picture.number() < 0 || !write_all(picture.number(), png)) {
+  if (picture.number() < 0 || append_whole(picture.number(), png) != 0 || lseek(picture.number(), 0, SEEK_SET) != 0) {
     return fmt::format("The picture cannot be copied: {}. Save it to a file.", reason(errno));
   }
   const Tool& tool = tool_for(display);

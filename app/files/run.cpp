@@ -5,6 +5,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include "app/base/typed_text.h"
 #include "app/files/program_build.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
@@ -41,9 +42,8 @@ std::string provenance(const Scene& scene) {
       fmt::format("# ghostforce {}\n{}{}\n{}\n", program_build(), format_begins, run_format, scene_begins);
   const std::string text = scene_text(scene);
   for (std::string_view rest = text; !rest.empty();) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
+    const std::string_view line = take_until(rest, '\n');
     header += line.empty() ? "#\n" : fmt::format("# {}\n", line);
-    rest.remove_prefix(line.size() + 1);
   }
   header += fmt::format("{}\n", scene_ends);
   return header;

@@ -64,14 +64,6 @@ constexpr std::array<std::string_view, all_columns> column_names{
     "proxy_y_m", "force_x_N", "force_y_N", "sent_x_N",  "sent_y_N",   "loop_s",     "tone_x_N",
     "tone_y_N",  "active",    "saturated", "goal_kind", "device_kind"};
 
-// The text up to the separator, which is taken off `rest` with it.
-std::string_view take_until(std::string_view& rest, char separator) noexcept {
-  const std::size_t end = rest.find(separator);
-  const std::string_view piece = rest.substr(0, end);
-  rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-  return piece;
-}
-
 // A finite number, and nothing but it.
 template <typename Number>
 bool take_number(std::string_view text, Number& value) noexcept {

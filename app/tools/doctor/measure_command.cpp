@@ -141,32 +141,17 @@ namespace {
 constexpr std::size_t widest_line = 78;
 
 // Broken between words; what begins with spaces goes on with as many.
-std::string wrapped(std::string_view words) {
+std::string broken_for_terminal(std::string_view words) {
   const std::size_t begin = std::min(words.find_first_not_of("\n "), words.size());
-  std::string text(words.substr(0, begin));
-  const std::string indent(begin - (text.find_last_of('\n') + 1), ' ');  // after no line's end: npos + 1 is 0
-  std::size_t column = indent.size();
-  for (std::size_t at = begin; at < words.size();) {
-    const std::size_t end = std::min(words.find(' ', at), words.size());
-    const std::string_view word = words.substr(at, end - at);
-    if (column > indent.size() && column + 1 + word.size() > widest_line) {
-      text += "\n" + indent;
-      column = indent.size();
-    } else if (at > begin) {
-      text += ' ';
-      ++column;
-    }
-    text += word;
-    column += word.size();
-    at = end + 1;
-  }
-  return text;
+  const std::string_view blanks = words.substr(0, begin);
+  const std::string_view indent = blanks.substr(blanks.rfind('\n') + 1);  // after no line's end: npos + 1 is 0
+  return fmt::format("{}{}", blanks, wrapped(words.substr(begin), widest_line - indent.size(), indent));
 }
 
 }  // namespace
 
 void TerminalOperator::tell(std::string_view words) {
-  say("{}\n", wrapped(words));
+  say("{}\n", broken_for_terminal(words));
 }
 
 std::optional<std::string> TerminalOperator::ask(const OperatorAction& action, std::string_view words) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/base/typed_text.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/chart.h"
 #include "ghostforce_version.h"
@@ -34,9 +35,7 @@ Mark words_at(const Pane& pane, const Vector<2>& upper_left, std::string words, 
 std::vector<std::string> broken(std::string_view text, double room, const TextStyle& style) {
   std::vector<std::string> lines;
   while (!text.empty()) {
-    const std::size_t end = std::min(text.find(' '), text.size());
-    const std::string word(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
+    const std::string word(take_until(text, ' '));
     const std::string joined = lines.empty() ? word : lines.back() + " " + word;
     if (!lines.empty() && measure_on_paper(joined, style).x <= room) {
       lines.back() = joined;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <iterator>
 #include <limits>
 #include <string_view>
@@ -13,6 +14,7 @@
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
+#include "app/base/typed_text.h"
 #include "app/files/run.h"
 #include "app/runs/replay.h"
 #include "core/simulate.h"
@@ -41,9 +43,7 @@ std::vector<std::string> change_lines(const SimulatedMotion& motion) {
   std::vector<std::string> lines;
   constexpr std::string_view comment = "# ";
   for (std::string_view rest(text.data(), text.size()); !rest.empty();) {
-    const std::size_t end = rest.find('\n');
-    lines.emplace_back(rest.substr(comment.size(), end - comment.size()));
-    rest.remove_prefix(end + 1);
+    lines.emplace_back(take_until(rest, '\n').substr(comment.size()));
   }
   return lines;
 }
@@ -52,23 +52,12 @@ Settings settings_at_end(const SimulatedMotion& motion) {
   return settings_at(motion.scene, last_settings(motion), motion.moments.back().time_s);
 }
 
+// `vectors` in the order of the columns.
 std::vector<CsvCell> row_of(const SimulatedMotion& motion, StrategyId id, std::string source, double time_s,
-                            const Vector<2>& goal, const Vector<2>& device, const Vector<2>& proxy,
-                            const Vector<2>& force, const Vector<2>& ghost) {
-  return {motion.name,
-          std::string(strategy(id).name),
-          std::move(source),
-          time_s,
-          goal.x,
-          goal.y,
-          device.x,
-          device.y,
-          proxy.x,
-          proxy.y,
-          force.x,
-          force.y,
-          ghost.x,
-          ghost.y};
+                            std::initializer_list<Vector<2>> vectors) {
+  std::vector<CsvCell> row{motion.name, std::string(strategy(id).name), std::move(source), time_s};
+  for (const Vector<2>& vector : vectors) row.insert(row.end(), {vector.x, vector.y});
+  return row;
 }
 
 }  // namespace
@@ -147,12 +136,12 @@ CsvTable table_of(std::span<const SimulatedMotion> motions) {
       const std::size_t i = index_of(strategy.id);
       for (const Snapshot& moment : motion.moments) {
         const StrategySnapshot<2>& now = moment.strategies[i];
-        table.rows.push_back(row_of(motion, strategy.id, "simulated", moment.time_s, moment.goal, now.device, now.proxy,
-                                    now.force, now.ghost_force));
+        table.rows.push_back(row_of(motion, strategy.id, "simulated", moment.time_s,
+                                    {moment.goal, now.device, now.proxy, now.force, now.ghost_force}));
       }
       const auto& [rest, ghost_force, drift] = motion.rest[i];
       table.rows.push_back(row_of(motion, strategy.id, "closed form", std::numeric_limits<double>::quiet_NaN(),
-                                  rest.goal, rest.device, rest.proxy, rest.force, ghost_force));
+                                  {rest.goal, rest.device, rest.proxy, rest.force, ghost_force}));
     }
   }
   return table;
