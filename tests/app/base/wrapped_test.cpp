@@ -13,6 +13,10 @@ TEST(Wrapped, BreaksWhereALineWouldBeTooLong) {
   EXPECT_EQ(wrapped("", 7), "");
 }
 
+TEST(Wrapped, IndentsAllLinesButTheFirst) {
+  EXPECT_EQ(wrapped("one two three four", 7, "  "), "one two\n  three\n  four");
+}
+
 TEST(Wrapped, LeavesALongWordWhole) {
   EXPECT_EQ(wrapped("a incomprehensible b", 5), "a\nincomprehensible\nb");
   EXPECT_EQ(wrapped("incomprehensible", 5), "incomprehensible");
