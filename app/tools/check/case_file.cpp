@@ -41,6 +41,10 @@ std::string scene_hint(const std::filesystem::path& name, const std::filesystem:
   return near.empty() ? fmt::format("give a path relative to this file, or one of {}", listed(shipped)) : near;
 }
 
+bool is_one_of(std::string_view name, std::span<const std::string_view> shipped) {
+  return std::ranges::find(shipped, name) != shipped.end();
+}
+
 // None where one of them is no text, so that each stands where it stands in the file.
 std::vector<std::string> read_overrides(const std::optional<TomlValue>& set) {
   constexpr std::string_view need = R"(give strings, as in ["wall.normal_deg=120"])";
@@ -67,8 +71,7 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   const std::optional<std::string> name = named.text();
   const std::vector<std::string> overrides = read_overrides(set);
   if (!name) return {};
-  const std::vector<std::string_view> shipped = shipped_scene_names();
-  const bool is_shipped = std::find(shipped.begin(), shipped.end(), *name) != shipped.end();
+  const bool is_shipped = is_one_of(*name, shipped_scene_names());
   const std::filesystem::path beside = folder / *name;
   std::error_code unknown;
   if (!is_shipped && std::filesystem::status(beside, unknown).type() == std::filesystem::file_type::not_found) {
@@ -149,8 +152,7 @@ struct CaseReading {
 // What the lesson's reader tells becomes a problem of the key that names the lesson.
 void show_lesson_of(const TomlValue& named, CaseReading& at) {
   const std::optional<TomlValue> language = at.reader.find("", "language");
-  const std::vector<std::string_view> shipped = shipped_lesson_names();
-  const bool is_shipped = std::find(shipped.begin(), shipped.end(), *at.lesson) != shipped.end();
+  const bool is_shipped = is_one_of(*at.lesson, shipped_lesson_names());
   try {
     LessonPicture picture{.lesson = std::make_shared<const Lesson>(
                               load_lesson(is_shipped ? *at.lesson : (at.folder / *at.lesson).string())),
@@ -205,17 +207,21 @@ void read_strategy(const TomlValue& value, CaseReading& at) {
   if (word && strategies[*word] == every_strategy) refuse_on_stage(value, at);
 }
 
+void read_mode(const TomlValue& value, CaseReading& at) {
+  catalog_entry(stage_mode_catalog(), [&](auto& mode) { at.request.mode = mode.id; })(value);
+  refuse_on_workbench(value, at, "give view = \"stage\" too");
+}
+
+void read_compare(const TomlValue& value, CaseReading& at) {
+  catalog_entry(compare_catalog(), [&](auto& mode) { at.request.options.compare = mode.id; })(value);
+  refuse_on_stage(value, at);
+}
+
 void read_language(const TomlValue& value, CaseReading& at) {
   if (at.lesson) return;  // with the lesson
   const std::vector<std::string_view> codes = languages_with({});
   if (const auto code = value.word(codes)) at.request.language = codes[*code];
   refuse_on_workbench(value, at, "give view = \"stage\" too, or name a lesson");
-}
-
-template <auto member>
-void read_count(const TomlValue& value, CaseReading& at) {
-  const auto number = value.number({.least = 1.0, .greatest = 1e6, .whole = true});
-  if (number) at.*member = static_cast<std::size_t>(*number);
 }
 
 template <Expectation expectation>
@@ -235,104 +241,76 @@ void read_other(const TomlValue& value, CaseReading& at) {
   }
 }
 
-template <std::string GoldenOrigin::*member>
-void read_origin(const TomlValue& value, CaseReading& at) {
-  (*at.summary.origin).*member = value.text().value_or("");
-}
-
 // Which cases a key belongs to: all, those of a scene, or those of a step of a lesson, which says the rest itself.
 enum class CaseKind : std::uint8_t { any, of_scene, of_lesson };
 
 struct CaseKey {
-  std::string_view table;  // "" at the top of the file
-  std::string_view name;
-  void (*read)(const TomlValue& value, CaseReading& at);  // null: it is read with another
+  TomlKey toml;
   CaseKind kind = CaseKind::any;
 };
 
-// In the order in which they are read.
-constexpr std::array case_keys{
-    CaseKey{
-        "", "scene",
-        [](auto& value, auto& at) { at.request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder); },
-        CaseKind::of_scene},
-    CaseKey{"", "at_s", read_moment},
-    CaseKey{"", "size", read_size},
-    CaseKey{"", "mask",
-            [](auto& value, auto& at) { at.summary.mask = read_mask(value, at.request.width, at.request.height); }},
-    CaseKey{"", "part",
-            [](auto& value, auto& at) {
-              constexpr std::array<std::string_view, 2> parts{"window", "scene"};
-              at.request.part = value.word(parts) == 1U ? Part::scene : Part::window;
-            }},
-    CaseKey{"", "view",
-            [](auto& value, auto& at) {
-              catalog_entry(std::span<const FaceEntry>(face_catalog),
-                            [&](auto& entry) { at.request.face = entry.id; })(value);
-            },
-            CaseKind::of_scene},
-    CaseKey{"", "mode",
-            [](auto& value, auto& at) {
-              catalog_entry(stage_mode_catalog(), [&](auto& mode) { at.request.mode = mode.id; })(value);
-              refuse_on_workbench(value, at, "give view = \"stage\" too");
-            },
-            CaseKind::of_scene},
-    CaseKey{"", "strategy", read_strategy, CaseKind::of_scene},
-    CaseKey{"", "compare",
-            [](auto& value, auto& at) {
-              catalog_entry(compare_catalog(), [&](auto& mode) { at.request.options.compare = mode.id; })(value);
-              refuse_on_stage(value, at);
-            },
-            CaseKind::of_scene},
-    CaseKey{"", "theme",
-            [](auto& value, auto& at) {
-              catalog_entry(theme_catalog(), [&](auto& theme) { at.request.appearance.theme = &theme; })(value);
-            }},
-    CaseKey{"", "scale",
-            [](auto& value, auto& at) {
-              number_into(at.request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})(value);
-            }},
-    CaseKey{"", "set", nullptr, CaseKind::of_scene},
-    CaseKey{"", "lesson", [](auto& value, auto& at) { at.lesson = value.text(); }},
-    CaseKey{"", "language", read_language},
-    CaseKey{"", "step", read_count<&CaseReading::step>, CaseKind::of_lesson},
-    CaseKey{"", "answer", read_count<&CaseReading::answer>, CaseKind::of_lesson},
-    CaseKey{"", "match", read_other<Expectation::match>},
-    CaseKey{"", "mismatch", read_other<Expectation::mismatch>},
-    CaseKey{"tolerance", "channel",
-            [](auto& value, auto& at) {
-              number_into(at.summary.tolerance.channel, {.least = 0.0, .greatest = 255.0, .whole = true})(value);
-            }},
-    CaseKey{"tolerance", "share",
-            [](auto& value, auto& at) {
-              number_into(at.summary.tolerance.share, {0.0, 1.0})(value);
-            }},
-    CaseKey{"expect", "tolerance",
-            [](auto& value, auto& at) {
-              number_into(at.summary.number_tolerance, {0.0, 1e9})(value);
-            }},
-    CaseKey{"golden", "renderer", read_origin<&GoldenOrigin::renderer>},
-    CaseKey{"golden", "mesa", read_origin<&GoldenOrigin::mesa>},
-    CaseKey{"golden", "version", read_origin<&GoldenOrigin::version>},
-    CaseKey{"", "format", nullptr},  // may be missing: then it is 1
-};
+constexpr std::array<std::string_view, 2> part_words{"window", "scene"};
+constexpr NumberLimits number_from_1{.least = 1.0, .greatest = 1e6, .whole = true};
+
+// In the order in which they are read; into `at`.
+std::vector<CaseKey> keys_into(CaseReading& at) {
+  using Value = const TomlValue&;
+  PictureRequest& request = at.request;
+  Tolerance& tolerance = at.summary.tolerance;
+  const auto by = [&at](void (*read)(Value, CaseReading&)) { return [&at, read](Value value) { read(value, at); }; };
+  const auto origin_into = [&at](std::string GoldenOrigin::*member) {
+    return [&at, member](Value value) { (*at.summary.origin).*member = value.text().value_or(""); };
+  };
+  const auto scene = [&](Value value) { request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder); };
+  const auto mask = [&](Value value) { at.summary.mask = read_mask(value, request.width, request.height); };
+  const auto part = [&](Value value) { request.part = value.word(part_words) == 1U ? Part::scene : Part::window; };
+  const auto answer = [&](Value value) {
+    if (const auto number = value.number(number_from_1)) at.answer = static_cast<std::size_t>(*number);
+  };
+  return {
+      {{"", "scene", scene}, CaseKind::of_scene},
+      {{"", "at_s", by(read_moment)}},
+      {{"", "size", by(read_size)}},
+      {{"", "mask", mask}},
+      {{"", "part", part}},
+      {{"", "view",
+        catalog_entry(std::span<const FaceEntry>(face_catalog), [&](auto& entry) { request.face = entry.id; })},
+       CaseKind::of_scene},
+      {{"", "mode", by(read_mode)}, CaseKind::of_scene},
+      {{"", "strategy", by(read_strategy)}, CaseKind::of_scene},
+      {{"", "compare", by(read_compare)}, CaseKind::of_scene},
+      {{"", "theme", catalog_entry(theme_catalog(), [&](auto& theme) { request.appearance.theme = &theme; })}},
+      {{"", "scale", number_into(request.appearance.scale, {Appearance::least_scale, Appearance::greatest_scale})}},
+      {{"", "set", nullptr}, CaseKind::of_scene},  // it is read with the scene
+      {{"", "lesson", [&at](Value value) { at.lesson = value.text(); }}},
+      {{"", "language", by(read_language)}},
+      {{"", "step", number_into(at.step, number_from_1)}, CaseKind::of_lesson},
+      {{"", "answer", answer}, CaseKind::of_lesson},
+      {{"", "match", by(read_other<Expectation::match>)}},
+      {{"", "mismatch", by(read_other<Expectation::mismatch>)}},
+      {{"tolerance", "channel", number_into(tolerance.channel, {.least = 0.0, .greatest = 255.0, .whole = true})}},
+      {{"tolerance", "share", number_into(tolerance.share, {0.0, 1.0})}},
+      {{"expect", "tolerance", number_into(at.summary.number_tolerance, {0.0, 1e9})}},
+      {{"golden", "renderer", origin_into(&GoldenOrigin::renderer)}},
+      {{"golden", "mesa", origin_into(&GoldenOrigin::mesa)}},
+      {{"golden", "version", origin_into(&GoldenOrigin::version)}},
+      {{"", "format", nullptr}},  // may be missing: then it is 1
+  };
+}
 
 void read_keys(CaseReading& at) {
   const std::optional<TomlValue> named = at.reader.find("", "lesson");
-  for (const CaseKey& key : case_keys) {
-    TomlKey& added = at.keys.emplace_back(TomlKey{key.table, key.name, {}});
-    if (key.read != nullptr) added.read = [&](const TomlValue& value) { key.read(value, at); };
-  }
+  const std::vector<CaseKey> case_keys = keys_into(at);
+  for (const CaseKey& key : case_keys) at.keys.push_back(key.toml);
   for (std::size_t i = 0; i < quantity_count; ++i) {
-    at.keys.emplace_back(TomlKey{"expect", quantity_catalog()[i].column, {}}).read = [&at, i](const TomlValue& value) {
-      at.summary.numbers[i] = value.number({});
-    };
+    at.keys.push_back({"expect", quantity_catalog()[i].column,
+                       [&at, i](const TomlValue& value) { at.summary.numbers[i] = value.number({}); }});
   }
   if (!named) at.keys.front().if_missing = "give the name of a shipped scene, or a path relative to this file";
   at.reader.read(at.keys);
   for (const CaseKey& key : case_keys) {
     if (key.kind != (named ? CaseKind::of_scene : CaseKind::of_lesson)) continue;
-    const std::optional<TomlValue> wrong = at.reader.find(key.table, key.name);
+    const std::optional<TomlValue> wrong = at.reader.find(key.toml.table, key.toml.name);
     if (wrong && named) wrong->refuse("is what a step of a lesson says", "leave it out, or leave out lesson");
     if (wrong && !named) wrong->refuse("belongs to a lesson", "name one with lesson");
   }
