@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 
 #include "core/conventions.h"
 #include "device/falcon/kinematics.h"
@@ -37,37 +38,29 @@ double badness_of(std::span<const RulerReading> readings, const FalconGeometry& 
   return sum;
 }
 
-struct Normal {
-  double angle_angle = 0.0;
-  double angle_gear = 0.0;
-  double gear_gear = 0.0;
-  double angle_off = 0.0;
-  double gear_off = 0.0;
+// The matrix times a step of angle and gear is the right side.
+struct NormalEquations {
+  Matrix<2> matrix{0.0};
+  Vector<2> right{0.0};
 };
 
-Normal normal_equations(std::span<const RulerReading> readings, const RulerFit& at) noexcept {
-  constexpr double angle_step = 1e-4;
-  constexpr double gear_step = 1e-4;
-  Normal normal;
+NormalEquations normal_equations(std::span<const RulerReading> readings, const RulerFit& at) noexcept {
+  constexpr double step = 1e-4;  // of the angle, and of the gear
+  const Vector<2> place(at.angle_at_zero_count, at.gear_ratio);
+  NormalEquations normal;
   for (const RulerReading& reading : readings) {
-    const auto distance = [&](double angle, double gear) {
-      return distance_of(reading, geometry_with(*at.preset, angle, gear)) / deviation;
+    const auto distance = [&](const Vector<2>& there) {
+      return distance_of(reading, geometry_with(*at.preset, there.x, there.y)) / deviation;
     };
-    const double angle = at.angle_at_zero_count;
-    const double gear = at.gear_ratio;
-    const double by_angle =
-        (distance(angle + angle_step, gear) - distance(angle - angle_step, gear)) / (2 * angle_step);
-    const double by_gear =
-        at.has_gear ? (distance(angle, gear + gear_step) - distance(angle, gear - gear_step)) / (2 * gear_step) : 0.0;
-    const double off = reading.distance / deviation - distance(angle, gear);
-    normal.angle_angle += by_angle * by_angle;
-    normal.angle_gear += by_angle * by_gear;
-    normal.gear_gear += by_gear * by_gear;
-    normal.angle_off += by_angle * off;
-    normal.gear_off += by_gear * off;
+    const auto slope = [&](const Vector<2>& way) {
+      return (distance(place + step * way) - distance(place - step * way)) / (2 * step);
+    };
+    const Vector<2> slopes(slope({1.0, 0.0}), at.has_gear ? slope({0.0, 1.0}) : 0.0);
+    normal.matrix += glm::outerProduct(slopes, slopes);
+    normal.right += slopes * (reading.distance / deviation - distance(place));
   }
   // Without one, the equation of the gear is "nothing changes".
-  if (!at.has_gear) normal.gear_gear = 1.0;
+  if (!at.has_gear) normal.matrix[1][1] = 1.0;
   return normal;
 }
 
@@ -78,19 +71,18 @@ RulerFit descend(std::span<const RulerReading> readings, RulerFit fit) noexcept 
   fit.badness = badness_of(readings, geometry_with(*fit.preset, fit.angle_at_zero_count, fit.gear_ratio));
   if (!std::isfinite(fit.badness)) return fit;
   for (int step = 0; step < most_steps; ++step) {
-    const Normal normal = normal_equations(readings, fit);
-    const double determinant = normal.angle_angle * normal.gear_gear - normal.angle_gear * normal.angle_gear;
+    const auto [matrix, right] = normal_equations(readings, fit);
+    const double determinant = glm::determinant(matrix);
     if (!(determinant > 0.0)) return fit;
-    fit.angle_uncertainty = 2.0 * std::sqrt(normal.gear_gear / determinant);
-    fit.gear_uncertainty = fit.has_gear ? 2.0 * std::sqrt(normal.angle_angle / determinant) : 0.0;
-    double angle = (normal.gear_gear * normal.angle_off - normal.angle_gear * normal.gear_off) / determinant;
-    double gear = (normal.angle_angle * normal.gear_off - normal.angle_gear * normal.angle_off) / determinant;
-    if (std::hypot(angle, gear) < 1e-9) break;
+    fit.angle_uncertainty = 2.0 * std::sqrt(matrix[1][1] / determinant);
+    fit.gear_uncertainty = fit.has_gear ? 2.0 * std::sqrt(matrix[0][0] / determinant) : 0.0;
+    Vector<2> change = glm::inverse(matrix) * right;
+    if (glm::length(change) < 1e-9) break;
     bool is_better = false;
-    for (int halvings = 0; !is_better && halvings <= most_halvings; ++halvings, angle *= 0.5, gear *= 0.5) {
+    for (int halvings = 0; !is_better && halvings <= most_halvings; ++halvings, change *= 0.5) {
       RulerFit next = fit;
-      next.angle_at_zero_count += angle;
-      next.gear_ratio += gear;
+      next.angle_at_zero_count += change.x;
+      next.gear_ratio += change.y;
       next.badness = badness_of(readings, geometry_with(*fit.preset, next.angle_at_zero_count, next.gear_ratio));
       if (!(next.badness < fit.badness)) continue;
       is_better = true;
