@@ -319,38 +319,6 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
   command.add_flag("--json", options->json, "Print one JSON document for programs instead of lines")
       ->excludes(update_option);
   attach_renderer(command, options->renderer);
-  command.footer(
-      "A case, NAME.toml (only scene is required):\n"
-      "  scene = \"wall45\"            # a shipped scene, or a path relative to this file\n"
-      "  at_s = 3.0\n"
-      "  size = [1280, 800]\n"
-      "  part = \"window\"             # window, scene\n"
-      "  strategy = \"naive\"          # full, naive, anisotropic, all\n"
-      "  compare = \"overlay\"         # overlay, side-by-side, active-only\n"
-      "  theme = \"light\"           # light, dark, projector\n"
-      "  scale = 1.0\n"
-      "  set = [\"wall.normal_deg=120\"]\n"
-      "  mask = [[0, 0, 200, 40]]    # x, y, width, height of what is not compared, in pixels\n"
-      "  match = \"OTHER\"             # or mismatch: (un)equal to another case's picture, instead of a golden\n"
-      "  [expect]                    # numbers of the strategy, beside the picture\n"
-      "  ghost_force_N = 1.2678      # and force_N, proxy_drift_mm, energy_mJ\n"
-      "  tolerance = 1e-4            # default: 1e-6\n"
-      "  [tolerance]                 # default: exact\n"
-      "  channel = 2                 # greatest difference of a channel that counts as none, 0-255\n"
-      "  share = 0.001               # share of the pixels that may differ by more\n"
-      "\n"
-      "docs/check.md explains these keys, and those for the stage and for lessons.\n"
-      "\n"
-      "Of a lesson, check says whether each of its steps can be done: docs/lessons.md.\n"
-      "\n"
-      "Exit codes: 0 all pass, 1 at least one fails, 2 a file is wrong, 8 a file cannot be read.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce check pictures --report report\n"
-      "  ghostforce check pictures --jobs 4 --json\n"
-      "  ghostforce check my-lesson.toml\n"
-      "  ghostforce check pictures --update wall45-naive\n"
-      "  ghostforce check pictures --update");
   return [options, update_option] {
     options->updates = update_option->count() > 0;
     return check_any(*options);

@@ -1,5 +1,6 @@
 // What a command of the program is, and what commands share: the scene, checks of what a person typed, and how a
-// command answers. A new command is one file beside this one, one line here and one row in command_catalog.cpp.
+// command answers. A new command is one file beside this one, one line here, one row in command_catalog.cpp, and a text
+// in assets/help.
 #pragma once
 
 #include <cstdint>

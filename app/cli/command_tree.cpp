@@ -10,6 +10,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/files/scene_file.h"
+#include "embedded_help.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -64,6 +65,12 @@ std::string program_footer() {
   return fmt::format("{} Exit codes:\n{}\n{}{}", text.notes, codes, examples_begin, text.examples);
 }
 
+// Below a command's options: its file, without the end of the last line.
+std::string command_footer(std::string_view command) {
+  const auto text = std::ranges::find(embedded_help, fmt::format("{}.txt", command), &EmbeddedText::name);
+  return std::string(text->contents.substr(0, text->contents.size() - 1));
+}
+
 }  // namespace
 
 std::shared_ptr<CommandTree> make_command_tree() {
@@ -79,6 +86,7 @@ std::shared_ptr<CommandTree> make_command_tree() {
   for (const Command& command : command_catalog()) {
     CLI::App* const subcommand = app.add_subcommand(std::string(command.name), std::string(command.sentence));
     subcommand->group("Commands");
+    subcommand->footer(command_footer(command.name));
     CommandTree::Action& action = tree->actions[subcommand];
     action.act = command.attach(*subcommand, action.files);
   }

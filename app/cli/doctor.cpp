@@ -179,18 +179,6 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
       add_option(command, "--calibration FILE.toml", options->calibration,
                  "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking"));
   options->falcon.attach(command, files);
-  command.footer(
-      "The steps: plugged in, allowed, free, firmware answers, homed, encoders move, fast enough. The first step that\n"
-      "is not complete says what to do. The motors stay off. If doctor does not wait for a person, a device that is "
-      "not\n"
-      "homed is not a failure. Exit code 1: everything is well except the speed. docs/falcon.md explains everything\n"
-      "from the beginning.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce doctor\n"
-      "  ghostforce doctor --firmware falcon.bin --wait 60\n"
-      "  ghostforce doctor --input virtual-falcon --misbehave busy --json\n"
-      "  ghostforce doctor --measure -o report.md");
   return [options] { return doctor(*options); };
 }
 

@@ -108,14 +108,6 @@ std::function<int()> attach_equilibrium(CLI::App& command, FileOptions& files) {
   add_option(command, "--goal-mm X,Y", options->goal_mm,
              "Where the hand wants to be, in mm; default: the scene's last waypoint");
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
-  command.footer(
-      "The anisotropic strategy uses the scene's tracking ratio, so a wrong belief about the hand shows. If the "
-      "goal\nis outside the wall, device and proxy are at the goal and there is no force. A hand whose stiffness "
-      "changes\nhas the one of the scene's end.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce equilibrium fig3-normal\n"
-      "  ghostforce equilibrium wall45 --goal-mm=-10,5 --set user.believed_k_u_N_per_m=50 --json");
   return [options] { return equilibrium(*options); };
 }
 

@@ -105,17 +105,7 @@ std::function<int()> attach_figures(CLI::App& command, FileOptions& files) {
   files.reads(
       add_option(command, "--hand RUN.csv", options->hand,
                  "A recording, or a CSV file from 'simulate': figure-6 shows its hand instead of a simulated one"));
-  command.footer(
-      "Figures:\n" + list +
-      "\n"
-      "Each comes as NAME.png, NAME@2x.png, NAME.svg and NAME.pdf, and the numbers that it was drawn "
-      "from as NAME.csv.\n"
-      "No display is needed. Either all files are written or none. The same call always gives the same bytes.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce figures -o figures\n"
-      "  ghostforce figures -o figures --only figure-1 proxy-drift\n"
-      "  ghostforce figures -o figures --only figure-6 --hand run.csv");
+  command.footer(fmt::format("Figures:\n{}\n{}", list, command.get_footer()));
   return [options] { return figures(*options); };
 }
 

@@ -63,16 +63,6 @@ std::function<int()> attach_help(CLI::App& command, FileOptions&) {
              "text, as --help prints it; man, a manual page; or bash, zsh or fish, a script with which that shell "
              "completes commands, options, scenes, lessons and keys; default: text")
       ->check(one_of(names_of(help_formats)));
-  command.footer(
-      "A package or an installation brings the manual pages and the scripts along. To try a script without one, see\n"
-      "the examples.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce help render\n"
-      "  ghostforce help --format man render > ghostforce-render.1\n"
-      "  source <(ghostforce help --format bash)\n"
-      "  source <(ghostforce help --format zsh)\n"
-      "  ghostforce help --format fish | source");
   return [options] {
     print(std::ranges::find(help_formats, options->format, &HelpFormat::name)->print(options->command));
     return static_cast<int>(ExitCode::done);

@@ -380,25 +380,6 @@ std::function<int()> attach_measure_user(CLI::App& command, FileOptions& files) 
              "Where the hand aimed, in mm; the nearest point of the wall counts. Needed for a real device "
              "unless tones measured the hand; ignored for a simulated one");
   command.add_flag("--json", options->json, "Print JSON for programs, in SI units with all digits");
-  command.footer(
-      "Wherever hand and device rest at the wall, the drift of the proxy along it gives the ratio ρ° at which there\n"
-      "would be no drift, and that ratio gives the stiffness of the hand: k_u = k_r / (ρ° − 1). A positive drift "
-      "means\n"
-      "that ρ was too low. Each rest is one reading for each strategy, however long it was. There is a median for "
-      "each\n"
-      "k_u that a simulated hand was given. A rest in which the motors gave less than was asked of them is listed, "
-      "but\n"
-      "is not a reading.\n"
-      "\n"
-      "Where tones measured the hand while it worked (columns tone_x_N, tone_y_N), there is an estimate every 0.1 s "
-      "of\n"
-      "the last 2 s, with its standard deviation σ, and the mass m and damping b of hand and device. With --json, "
-      "each\n"
-      "is in \"live\", or the reason why the hand is unknown then. This needs no target. Exit code 1: no reading.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce measure-user run.csv\n"
-      "  ghostforce measure-user visitor.csv --target-mm=0,0 --json");
   return [options] { return measure_user(*options); };
 }
 

@@ -250,18 +250,6 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
       ->needs(lesson)
       ->check(whole_number_from(1));
   attach_renderer(command, options->renderer);
-  command.footer(
-      "No display is needed, and the same call always gives the same bytes, except with --renderer gpu.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce render wall45 -o wall45.png\n"
-      "  ghostforce render fig3-normal --strategy all --part scene --size 1600x1200 --scale 2 -o figure.png\n"
-      "  ghostforce render fig3-normal --compare side-by-side -o figure.pdf\n"
-      "  ghostforce render wall45 --view stage --size 1280x720 -o stage.svg\n"
-      "  ghostforce render --lesson ghost --step 1 --answer 1 -o step.png\n"
-      "  ghostforce render wall45 --view stage --language es -o escenario.png\n"
-      "  ghostforce render wall45 --landscape --theme projector -o landscape.png\n"
-      "  ghostforce render wall45 --view stage --size 1280x720 --clip 0:3:30 -o clip.png");
   // Lessons bring their own.
   options->scene.option->default_str("");
   return [options, &command] {

@@ -260,16 +260,6 @@ std::function<int()> attach_replay(CLI::App& command, FileOptions& files) {
   options->scene.attach(command, files, false);
   files.writes(add_option(command, "-o,--output FILE", options->output,
                           "The CSV file to write, whole or not at all; default: -, standard output"));
-  command.footer(
-      "Drives all three strategies with the hand of the run, repeats the changes that were made while it ran, and\n"
-      "checks whether every number comes out the same, bit for bit: exit code 0 if so, 1 if not. This is promised for\n"
-      "the same build of ghostforce. A run of another version, or of the page in a browser, also passes if it agrees\n"
-      "to 1e-12 relative. With another scene, or with --set, the hand is played from rest in that scene, and nothing\n"
-      "is compared. If a file does not contain its scene, name one.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce replay visit.csv -o again.csv\n"
-      "  ghostforce replay visit.csv --set rendering.tracking_ratio=1 -o naive.csv");
   return [options] { return replay_run(*options); };
 }
 

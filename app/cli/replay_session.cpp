@@ -98,16 +98,6 @@ std::function<int()> attach_replay_session(CLI::App& command, FileOptions& files
       add_option(command, "SESSION", options->session, "A file from 'ghostforce run --record-session'")->required());
   command.add_flag("--headless", options->is_headless,
                    "Without a display and as fast as it goes; the result is the line that is printed");
-  command.footer(
-      "Opens the window as it was and does again what was done in it, in its own time; then you can go on from\n"
-      "there until you close the window. The replay writes no file and copies nothing, and motors are simulated.\n"
-      "Then one line says how many actions were done, refused and left out, and what stands on the screen, as a "
-      "set-up\n"
-      "that 'ghostforce run' takes. With --headless the same file always gives the same line.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce replay-session visit.session\n"
-      "  ghostforce replay-session visit.session --headless");
   return [options] { return replay_session(*options); };
 }
 

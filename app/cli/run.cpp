@@ -338,23 +338,6 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
              "Load the shaders from this folder, and reload them whenever one changes");
   add_option(command, "--exit-after S", options->exit_after_s, "Close the window after this many seconds")
       ->check(number_between(0.0, longest_s, "s"));
-  command.footer(
-      "Drag anywhere in the scene: your hand follows.\n"
-      "Keys: 1 2 3 choose the strategy, F4 switches between stage and workbench, Space pauses, F1 lists all keys.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce run\n"
-      "  ghostforce run fig1 --strategy anisotropic --theme projector --scale 1.5\n"
-      "  ghostforce run --goal-mm=25,-10 --mode why\n"
-      "  ghostforce run --view workbench\n"
-      "  ghostforce run my_scene.toml --input script\n"
-      "  ghostforce run --lesson ghost --language es\n"
-      "  ghostforce run --kiosk\n"
-      "  ghostforce run --audience\n"
-      "  ghostforce run --record visit.csv\n"
-      "  ghostforce run --record-session visit.session\n"
-      "  ghostforce run --print-values 5 > values.tsv\n"
-      "  ghostforce run --input replay:visit.csv");
   return [options] { return run(*options); };
 }
 

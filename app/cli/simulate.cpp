@@ -51,14 +51,6 @@ std::function<int()> attach_simulate(CLI::App& command, FileOptions& files) {
       ->check(one_of(strategies));
   files.writes(add_option(command, "-o,--output FILE", options->output,
                           "The CSV file to write, whole or not at all; default: -, standard output"));
-  command.footer(
-      "One row per tick and strategy, from t = 0 to the scene's duration, both included:\n"
-      "  strategy,t_s,goal_x_m,goal_y_m,device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N\n"
-      "Lines that begin with # come first: the program's version and the scene. SI units.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce simulate fig3-normal --strategy all -o run.csv\n"
-      "  ghostforce simulate my_scene.toml --set wall.normal_deg=120 | gnuplot plot.gp");
   return [options] { return simulate(*options); };
 }
 

@@ -101,24 +101,6 @@ std::function<int()> attach_sweep(CLI::App& command, FileOptions& files) {
       add_option(command, "-o,--output FILE", options->output,
                  "The CSV file to write; default: -, standard output. Ctrl+C leaves whole rows and a last line "
                  "'# interrupted'"));
-  command.footer(
-      "One row per point and strategy (all three), at rest under the last waypoint of the scene's path. The second "
-      "key\n"
-      "varies fastest. The columns are each swept key, by its name and in the unit of the scene file, then\n"
-      "  strategy,depth_m\n"
-      "then, in closed form,\n"
-      "  device_x_m,device_y_m,proxy_x_m,proxy_y_m,force_x_N,force_y_N,ghost_force_x_N,ghost_force_y_N,\n"
-      "  proxy_drift_x_m,proxy_drift_y_m\n"
-      "and simulated, where 'settled' is 1, or 0 after empty fields if the device never comes to rest,\n"
-      "  simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,\n"
-      "  simulated_force_y_N,settled\n"
-      "Lines that begin with # come first: the program's version, the scene and the ranges.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce sweep fig3-normal --over wall.normal_deg=90:180:91 -o angle.csv\n"
-      "  ghostforce sweep fig3-normal --over wall.normal_deg=90:180:91 --over rendering.k_r_N_per_m=100:1e4:61:log \\\n"
-      "    --at-rest closed-form -o map.csv\n"
-      "  ghostforce sweep wall45 --over user.believed_k_u_N_per_m=20:2000:101:log --set rendering.k_c_N_per_m=inf");
   return [options] { return sweep_command(*options); };
 }
 

@@ -92,17 +92,6 @@ std::function<int()> attach_worksheet(CLI::App& command, FileOptions& files) {
   attach_language(command, options->language, worksheet_language);
   add_option(command, "--paper SIZE", options->paper, "a4 or letter; default: a4")
       ->check(one_of(names_of(worksheet_paper_catalog)));
-  command.footer(
-      "A page for each lesson: pictures of the stage, questions with boxes to tick, lines to write on. A very long\n"
-      "lesson takes more pages. Without --answers, no page says which answer is right.\n"
-      "No display is needed, and the same call always gives the same bytes.\n"
-      "\n"
-      "Examples:\n"
-      "  ghostforce worksheet ghost -o ghost.pdf\n"
-      "  ghostforce worksheet ghost --answers -o ghost-answers.pdf\n"
-      "  ghostforce worksheet ghost why cure --language es --paper letter -o session.pdf\n"
-      "  ghostforce worksheet my_lesson.toml -o my_lesson.pdf\n"
-      "  ghostforce worksheet -o all.pdf");
   return [options] { return worksheet(*options); };
 }
 
