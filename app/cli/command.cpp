@@ -17,7 +17,6 @@
 #include "app/cli/option.h"
 #include "app/files/run.h"
 #include "app/files/scene_file.h"
-#include "app/files/scene_keys.h"
 #include "app/state/set_up.h"
 #include "core/simulate.h"
 
@@ -88,10 +87,8 @@ Scene SceneOptions::load() const {
 }
 
 CLI::Validator suggests_keys(KeyKind kind) {
-  std::vector<std::string> keys;
-  for (const SceneKey& key : scene_keys()) {
-    if (kind == KeyKind::any || limits_of(key)) keys.push_back(dotted_name(key) + "=");
-  }
+  std::vector<std::string> keys = dotted_names(kind);
+  for (std::string& key : keys) key += "=";
   return suggests({keys.begin(), keys.end()});
 }
 

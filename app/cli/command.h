@@ -15,6 +15,7 @@
 #include "app/files/output_file.h"
 #include "app/files/read_error.h"
 #include "app/files/scene_file.h"
+#include "app/files/scene_keys.h"
 #include "core/scene.h"
 #include "core/tick.h"
 
@@ -75,7 +76,6 @@ CLI::Validator one_of(std::vector<std::string_view> words);
 CLI::Validator suggests(const std::vector<std::string_view>& words);
 
 // An option's value begins with a key of the scene and "=".
-enum class KeyKind : std::uint8_t { any, number };
 CLI::Validator suggests_keys(KeyKind kind);
 
 // The words that completion offers for the option's value: those of all its checks. One that ends in '=' is not

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
@@ -22,12 +22,6 @@ std::pair<std::string_view, std::string_view> split(std::string_view dotted) noe
   return {dotted.substr(0, dot), dotted.substr(dot + 1)};
 }
 
-std::vector<std::string> dotted_names() {
-  std::vector<std::string> names;
-  for (const SceneKey& key : scene_keys()) names.push_back(dotted_name(key));
-  return names;
-}
-
 std::vector<std::string_view> names_in(std::string_view table) {
   std::vector<std::string_view> names;
   for (const SceneKey& key : scene_keys()) {
@@ -40,7 +34,7 @@ std::vector<std::string_view> names_in(std::string_view table) {
 std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name) {
   const std::vector<std::string_view> here = names_in(table);
   const std::vector<std::string_view> names = names_of(scene_keys());
-  const std::vector<std::string> dotted = dotted_names();
+  const std::vector<std::string> dotted = dotted_names(KeyKind::any);
   const auto whole = [&](std::string_view found) {
     return dotted[static_cast<std::size_t>(std::ranges::find(names, found) - names.begin())];
   };
@@ -81,12 +75,19 @@ std::string suggest_scene_key(std::string_view dotted) {
   const auto [table, name] = split(dotted);
   if (!table.empty()) return suggest_scene_key(table, name);
   if (const auto near = nearest_scene_key(table, name)) return ask(*near);
-  const std::vector<std::string> names = dotted_names();
-  return fmt::format("; the keys are {}", listed(std::vector<std::string_view>(names.begin(), names.end())));
+  return fmt::format("; the keys are {}", fmt::join(dotted_names(KeyKind::any), ", "));
 }
 
 std::string dotted_name(const SceneKey& key) {
   return dotted_name(key.table, key.name);
+}
+
+std::vector<std::string> dotted_names(KeyKind kind) {
+  std::vector<std::string> names;
+  for (const SceneKey& key : scene_keys()) {
+    if (kind == KeyKind::any || limits_of(key)) names.push_back(dotted_name(key));
+  }
+  return names;
 }
 
 std::string_view unit_of(std::string_view key_name) noexcept {

@@ -1,10 +1,11 @@
-// The names of a scene's keys as people write and mistype them. Pure, any
-// thread.
+// The names of a scene's keys as people write and mistype them. Pure, any thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/files/toml_document.h"
 #include "core/scene.h"
@@ -15,17 +16,19 @@ namespace ghostforce {
 const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept;
 const SceneKey* find_scene_key(std::string_view dotted) noexcept;
 
-// The end of a message about an unknown key: "; did you mean '…'?" with the same
-// name in another table, else the nearest in this one, else the nearest of all;
-// or "; TABLE has …".
+// The end of a message about an unknown key: "; did you mean '…'?" with the same name in another table, else the nearest
+// in this one, else the nearest of all; or "; TABLE has …".
 std::string suggest_scene_key(std::string_view table, std::string_view name);
 std::string suggest_scene_key(std::string_view dotted);
 
 // "TABLE.NAME"
 std::string dotted_name(const SceneKey& key);
 
-// The unit that a key's name ends in, as people write it: N/m for k_r_N_per_m;
-// empty where there is none.
+// Of all keys, or of those that hold one number.
+enum class KeyKind : std::uint8_t { any, number };
+std::vector<std::string> dotted_names(KeyKind kind);
+
+// The unit that a key's name ends in, as people write it: N/m for k_r_N_per_m; empty where there is none.
 std::string_view unit_of(std::string_view key_name) noexcept;
 
 // What the number of a key may be; empty: the key holds no number, or several.

@@ -9,7 +9,7 @@
 #include <variant>
 
 #include <fmt/compile.h>
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include "app/base/failure.h"
 #include "app/base/number.h"
@@ -19,14 +19,6 @@
 
 namespace ghostforce {
 namespace {
-
-std::string keys_with_a_number() {
-  std::vector<std::string> names;
-  for (const SceneKey& key : scene_keys()) {
-    if (limits_of(key)) names.push_back(dotted_name(key));
-  }
-  return listed(std::vector<std::string_view>(names.begin(), names.end()));
-}
 
 std::vector<std::string_view> parts_of(std::string_view text) {
   std::vector<std::string_view> parts;
@@ -100,7 +92,8 @@ std::variant<Range, std::string> parse_range(std::string_view argument) {
   if (key == nullptr) return fmt::format("the key {} is unknown{}", quoted_text(name), suggest_scene_key(name));
   const std::optional<NumberLimits> limits = limits_of(*key);
   if (!limits) {
-    return fmt::format("the key {} is not a single number; a sweep can vary {}", name, keys_with_a_number());
+    return fmt::format("the key {} is not a single number; a sweep can vary {}", name,
+                       fmt::join(dotted_names(KeyKind::number), ", "));
   }
   if (equals == std::string_view::npos) return std::string(form);
   const std::vector<std::string_view> parts = parts_of(argument.substr(equals + 1));
