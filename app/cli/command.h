@@ -20,10 +20,8 @@
 #include "core/tick.h"
 
 namespace CLI {
-class App;
-class Option;
 class Validator;
-}  // namespace CLI
+}
 
 namespace ghostforce {
 

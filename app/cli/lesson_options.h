@@ -10,10 +10,6 @@
 #include "app/cli/command.h"
 #include "app/state/lesson.h"
 
-namespace CLI {
-class App;
-}
-
 namespace ghostforce {
 
 // --language, empty where it is not given. `usual_language`: what it is then, for the help.

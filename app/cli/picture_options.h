@@ -11,10 +11,6 @@
 #include "app/state/set_up.h"
 #include "core/scene.h"
 
-namespace CLI {
-class App;
-}
-
 namespace ghostforce {
 
 struct PictureOptions {

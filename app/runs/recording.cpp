@@ -13,9 +13,7 @@
 
 #include <fmt/compile.h>
 
-#include "app/base/failure.h"
 #include "app/base/interruption.h"
-#include "app/base/quoted.h"
 #include "app/files/descriptor.h"
 #include "app/files/output_file.h"
 #include "app/files/run.h"

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/base/failure.h"
-#include "device/falcon/calibration.h"
 #include "device/falcon/falcon_input.h"
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_usb/firmware_file.h"

@@ -1,7 +1,6 @@
 // The measurement of one Falcon: leads a person through the catalog of steps and gathers what they find. UI thread.
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
