@@ -152,9 +152,7 @@ void act(Session& session, const Restart& action) {
 // --- Stage ---
 
 void act(Session& session, const ShowFace& action) {
-  const std::optional<double> looks_back_to_s = session.stage.looks_back_to_s;  // both faces look at one moment
-  if (action.face == Face::workbench) leave_stage_mode(session);
-  session.stage.looks_back_to_s = looks_back_to_s;
+  if (action.face == Face::workbench) leave_stage(session);
   session.face = action.face;
 }
 
@@ -216,7 +214,6 @@ void show_strategy(Session& session) {
   act(session, ChooseStrategy{id, true});
 }
 
-// Whatever was chosen between two steps, or in the last one.
 template <StageMode mode, StrategyId id>
 void show_stage_mode(Session& session) {
   if (session.stage.mode != mode) begin_stage_mode(session, mode);

@@ -28,6 +28,12 @@ void leave_stage_mode(Session& session) {
   stage.landscape_dial.reset();
 }
 
+void leave_stage(Session& session) {
+  const std::optional<double> looks_back_to_s = session.stage.looks_back_to_s;
+  leave_stage_mode(session);
+  session.stage.looks_back_to_s = looks_back_to_s;
+}
+
 void begin_circle_test(Session& session) {
   if (session.circle_test.is_on) {
     session.wanted_input.reset();  // which would end it, where one lesson follows another

@@ -9,6 +9,8 @@ namespace ghostforce {
 // Another mode ends. The stage is to be shown already.
 void begin_stage_mode(Session& session, StageMode mode);
 void leave_stage_mode(Session& session);
+// For the workbench, which looks at the same moment.
+void leave_stage(Session& session);
 
 inline constexpr int last_why_step = 4;
 
