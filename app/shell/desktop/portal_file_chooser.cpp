@@ -56,6 +56,7 @@ class Portal {
   void ask(const std::string& parent, const FileQuestion& question) {
     close();
     question_ = question;
+    is_asking_ = true;
     const std::string token = fmt::format("ghostforce{}", ++requests_);
     request_ = request_path(token);
     handle_.clear();
@@ -106,16 +107,15 @@ class Portal {
   }
 
   void close() {
-    if (!question_) return;
+    if (!std::exchange(is_asking_, false)) return;
     const std::string& path = handle_.empty() ? request_ : handle_;
     library_.call_method_async(connection_.bus(), nullptr, portal_service, path.c_str(), request_interface, "Close",
                                nullptr, nullptr, "");
-    question_.reset();
   }
 
   void finish(std::vector<std::string> paths, std::string problem) {
-    if (!question_) return;
-    answer_({.question = *std::exchange(question_, {}), .paths = std::move(paths), .problem = std::move(problem)});
+    if (!std::exchange(is_asking_, false)) return;
+    answer_({.question = question_, .paths = std::move(paths), .problem = std::move(problem)});
   }
   void fail() { finish({}, std::string(failed_words)); }
 
@@ -153,7 +153,7 @@ class Portal {
   static int on_response(sd_bus_message* message, void* self, sd_bus_error* /*error*/) noexcept {
     Portal& portal = *static_cast<Portal*>(self);
     const char* const path = portal.library_.message_get_path(message);
-    if (!portal.question_ || path == nullptr || (path != portal.request_ && path != portal.handle_)) return 0;
+    if (!portal.is_asking_ || path == nullptr || (path != portal.request_ && path != portal.handle_)) return 0;
     portal.take_response(*message);
     return 0;
   }
@@ -202,10 +202,11 @@ class Portal {
   BusConnection connection_;
   std::atomic<bool>& is_there_;
   std::function<void(FileAnswer)> answer_;
-  std::optional<FileQuestion> question_;  // that is being asked
-  std::string request_;                   // its path, as it must be,
-  std::string handle_;                    // and as the portal says
-  int requests_ = 0;                      // so far
+  bool is_asking_ = false;
+  FileQuestion question_;  // that is being asked
+  std::string request_;    // its path, as it must be,
+  std::string handle_;     // and as the portal says
+  int requests_ = 0;       // so far
 };
 
 }  // namespace
