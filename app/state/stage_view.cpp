@@ -44,6 +44,8 @@ std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>
     const double pull = glm::distance(goal, moment.handle);
     const Vector<2> away = pull > 0.0 ? to_screen_direction(goal - moment.handle) / pull : -out;
     for (const Vector<2>& arm : {away, -out}) strokes.push_back({{goal}, {goal, arm * arm_length}, arm_reach});
+    // So that the wall is seen, too.
+    strokes.push_back({{moment.expected_contact}, {moment.expected_contact}, ruler_reach});
     if (!moment.in_contact) continue;
     strokes.push_back({{moment.handle}, {moment.proxy}, proxy_reach});
     strokes.push_back({{moment.expected_rest}, {moment.expected_rest}, proxy_reach});

@@ -122,6 +122,18 @@ TEST_P(Stage, SaysEachNumberOnce) {
   EXPECT_EQ(bare.label(Role::number), nullptr);
 }
 
+TEST_P(Stage, HasTheWallInAViewOfAHandFarAway) {
+  const Settings settings = wall45();
+  const Vector<2> out = wall_of(settings).normal;
+  for (const double distance : {0.0, 0.01, 0.1, 0.5}) {
+    const StageCase shown = case_at(settings, distance * out);
+    const Camera camera = shown.compose().pane.camera;
+    const ScreenBox window{Vector<2>(0.0), shown.size};
+    EXPECT_TRUE(contains(window, to_screen(camera, settings.wall_point))) << distance;
+    EXPECT_TRUE(contains(window, to_screen(camera, distance * out))) << distance;
+  }
+}
+
 TEST_P(Stage, CoversNothingOfAViewThatFits) {
   PictureDice dice(32);
   for (int i = 0; i < 600; ++i) {
