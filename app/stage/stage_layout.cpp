@@ -123,6 +123,11 @@ class Arrangement {
     for (const std::string_view warning : words_of(words_.language.warnings)) {
       most = std::max(most, lines(warning, mark_width(true)).size());
     }
+    if (words_.lesson == nullptr) {
+      for (const std::string_view sentence : words_of(words_.language.sentences)) {
+        most = std::max(most, lines(sentence, mark_width(true)).size());
+      }
+    }
     layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);

@@ -277,7 +277,8 @@ void add_stage_force(const StageLayer& layer) {
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
-  canvas.labels.keep_clear(tip - arrow.direction * body, tip, 1.3 * body);
+  const Vector<2> to_head = arrow.direction * std::copysign(body, arrow.ghost);
+  canvas.labels.keep_clear(tip - to_head, tip, 1.3 * body);
 }
 
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
@@ -358,10 +359,12 @@ StageGrips stage_grips(const Settings& settings, const StageMoment& moment, cons
   const auto numbers = beside_numbers(layout, to_edges);
   for (Vector<2>& end : ends) {
     const Vector<2> way = end - middle;
-    const bool is_covered = numbers && contains(*numbers, end);
-    if (is_covered) end = middle + glm::normalize(way) * reach_outside(middle, end, numbers);
+    const bool is_near = numbers && contains(*numbers, end);
+    if (is_near) end = middle + glm::normalize(way) * reach_outside(middle, end, numbers);
   }
-  if (glm::distance(ends[0], ends[1]) > shortest * layout.unit) grips.wall = ends;
+  const auto is_covered = [&](const Vector<2>& end) { return layout.numbers && contains(*layout.numbers, end); };
+  const bool is_long = glm::distance(ends[0], ends[1]) > shortest * layout.unit;
+  if (is_long && std::ranges::none_of(ends, is_covered)) grips.wall = ends;
   return grips;
 }
 

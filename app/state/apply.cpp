@@ -1,7 +1,6 @@
 #include "app/state/apply.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -12,6 +11,7 @@
 #include "app/state/permit.h"
 #include "app/state/scene_view.h"
 #include "app/state/stiffness_probe_guide.h"
+#include "app/state/talk.h"
 #include "app/state/user_measurement_guide.h"
 #include "core/conventions.h"
 
@@ -91,10 +91,7 @@ void act(Session& session, const TurnRatio& action) {
 // --- Strategies ---
 
 void act(Session& session, const ChooseStrategy& action) {
-  session.settings.active = action.id;
-  session.stage.is_black = false;
-  session.stage.switches_slowly = action.slowly;
-  session.stage.landscape_dial.reset();
+  choose_strategy(session, action.id, action.slowly);
 }
 
 void act(Session& session, const ChooseByNumber& action) {
@@ -207,43 +204,6 @@ void act(Session& session, const ToggleBlank&) {
 }
 
 // --- The talk ---
-
-template <StrategyId id>
-void show_strategy(Session& session) {
-  leave_stage_mode(session);
-  act(session, ChooseStrategy{id, true});
-}
-
-template <StageMode mode, StrategyId id>
-void show_stage_mode(Session& session) {
-  if (session.stage.mode != mode) begin_stage_mode(session, mode);
-  act(session, ChooseStrategy{id});
-}
-
-template <int step>
-void show_why(Session& session) {
-  show_stage_mode<StageMode::why, StrategyId::naive>(session);
-  session.stage.why_step = step;
-}
-
-// From the wall as it should be to the cure, and where it matters.
-constexpr std::array<void (*)(Session&), 9> talk{show_strategy<StrategyId::full>,
-                                                 show_strategy<StrategyId::naive>,
-                                                 show_why<1>,
-                                                 show_why<2>,
-                                                 show_why<3>,
-                                                 show_why<4>,
-                                                 show_strategy<StrategyId::anisotropic>,
-                                                 show_stage_mode<StageMode::landscape, StrategyId::naive>,
-                                                 show_stage_mode<StageMode::round, StrategyId::anisotropic>};
-
-void go_to_talk_step(Session& session, int step) {
-  if (step < 0 || step >= static_cast<int>(talk.size())) return;
-  session.face = Face::stage;
-  session.stage.is_black = false;
-  session.stage.demo_step = step;
-  talk[static_cast<std::size_t>(step)](session);
-}
 
 void act(Session& session, const NextStep&) {
   if (session.lesson) return next_lesson_step(session);
@@ -492,10 +452,6 @@ Effects apply(Session& session, const Action& action) {
       },
       action);
   return effects;
-}
-
-std::size_t talk_length() noexcept {
-  return talk.size();
 }
 
 }  // namespace ghostforce

@@ -34,6 +34,13 @@ void leave_stage(Session& session) {
   session.stage.looks_back_to_s = looks_back_to_s;
 }
 
+void choose_strategy(Session& session, StrategyId id, bool slowly) {
+  session.settings.active = id;
+  session.stage.is_black = false;
+  session.stage.switches_slowly = slowly;
+  session.stage.landscape_dial.reset();
+}
+
 void begin_circle_test(Session& session) {
   if (session.circle_test.is_on) {
     session.wanted_input.reset();  // which would end it, where one lesson follows another

@@ -14,6 +14,9 @@ void leave_stage(Session& session);
 
 inline constexpr int last_why_step = 4;
 
+// The picture is seen again, and the landscape's dial is at the strategy.
+void choose_strategy(Session& session, StrategyId id, bool slowly);
+
 // In the circle test another input leads the goal round a circle inside the wall, near to where the person had it; at
 // the end the goal is the person's again, and where it was. Beginning it while it is on does nothing.
 void begin_circle_test(Session& session);

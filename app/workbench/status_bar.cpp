@@ -73,10 +73,11 @@ std::string replay_words(const LoopReading& loop, const StageLanguage& language)
 
 void draw_replay_place(const PanelContext& context, ImVec2 end, float unit) {
   const std::string words = replay_words(context.loop, stage_language(context.session.language));
-  if (words.empty()) return;
   const float padding = 10.0F * unit;
   const float margin = 14.0F * unit;
-  const float height = letters_for(words, context.fonts.bold, end.x - 2.0F * (margin + padding), 28.0F * unit);
+  const float room = end.x - 2.0F * (margin + padding);  // none before the first picture
+  if (words.empty() || room <= 0.0F) return;
+  const float height = letters_for(words, context.fonts.bold, room, 28.0F * unit);
   const ImVec2 extent = context.fonts.bold->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str());
   const ImVec2 most{end.x - margin, end.y - margin};
   const ImVec2 corner{most.x - extent.x - 2.0F * padding, most.y - extent.y - 2.0F * padding};

@@ -86,6 +86,7 @@ class LessonWindow : public DrivenWindow {
     if (finding.solution->goal != session().goal) {
       drag(on_window(session().goal), on_window(finding.solution->goal));
       session().goal = finding.solution->goal;  // to the last micrometre
+      arrive();
     }
     if (step().slider) {
       const double wanted = slider_value(*step().slider, solved).value_or(0.0);

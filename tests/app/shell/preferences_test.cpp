@@ -134,7 +134,7 @@ void name_the_parts_of_the_session(Session& session) {
       // Of the hand that is measured, and of the wall that is circled.
       aims_at_target, measurement, stiffness_probe, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
-      injected_fault, input, pointer_moves_goal, hand_is_simulated, motors_may_push,
+      injected_fault, input, pointer_moves_goal, hand_is_simulated, has_motors, motors_may_push,
       // A recording has a new name each time.
       recording_path,
       // Of the window.

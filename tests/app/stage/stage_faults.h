@@ -124,8 +124,8 @@ inline std::vector<std::string> faults_of(const StageCase& shown, const Drawn& d
     for (const Extent& extent : drawn.extents.marks) {
       const bool is_own = extent.role == labels[leader.label].role;
       if (is_own || !hard.contains(extent.role) || reach_into(leader.from, leader.to, extent) <= rounding) continue;
-      faults.push_back(
-          fmt::format("the line to '{}' crosses a mark: {}", labels[leader.label].words, role_name(extent.role)));
+      faults.push_back(fmt::format("the line to '{}' crosses a mark by {:.2f}: {}", labels[leader.label].words,
+                                   reach_into(leader.from, leader.to, extent), role_name(extent.role)));
       break;
     }
   }

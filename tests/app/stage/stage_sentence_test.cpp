@@ -176,7 +176,7 @@ TEST(StageSentenceInEnglish, IsThatOfTheSwitchFromItsFirstPictureOn) {
             "On the way between the two: no ghost force.");
   settings.active = StrategyId::anisotropic;
   EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::anisotropic}, english_stage),
-            "On the way to the cure: still a ghost force.");
+            "On the way to anisotropic: still a ghost force.");
   settings.active = StrategyId::full;
   EXPECT_EQ(stage_sentence(settings, ghostly, {.heads_for = StrategyId::full}, english_stage),
             "A ghost force drags the handle along the wall.");
@@ -187,9 +187,9 @@ TEST(StageSentenceInEnglish, OfADeviceSaysWhatCannotBeKnown) {
   StageMoment moment = stage_moment_at_rest(scene.settings, scene.goal.points.back());
   moment.is_measured = true;
   moment.knows_ghost_force = false;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "cannot be known"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "unknown"));
   moment.has_target = true;
-  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "cannot be known"));
+  EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "unknown"));
   moment.knows_ghost_force = true;
   moment.ghost_force = 0.5 * moment.wall_share;
   EXPECT_TRUE(says(stage_sentence(scene.settings, moment, {}, english_stage), "a ghost force drags you"));

@@ -10,6 +10,7 @@
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/stage_language.h"
+#include "app/state/talk.h"
 
 namespace ghostforce::lecture_notes_test {
 namespace {

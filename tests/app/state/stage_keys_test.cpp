@@ -13,6 +13,7 @@
 #include "app/picture/handles.h"
 #include "app/state/apply.h"
 #include "app/state/mode_changes.h"
+#include "app/state/talk.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

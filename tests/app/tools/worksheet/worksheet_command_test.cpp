@@ -39,12 +39,12 @@ TEST(WorksheetCommand, TakesLessonsLanguageAndPaper) {
   EXPECT_TRUE(holds(english, "/Count 2\n"));
   const std::string letter = worksheet({"ghost", "-o", "-", "--paper", "letter"}).out;
   EXPECT_TRUE(holds(letter, "[ 0 0 612 792 ]"));
-  EXPECT_TRUE(holds(letter, "/Title (The ghost)"));
-  EXPECT_TRUE(holds(worksheet({"ghost", "-o", "-", "--language", "es"}).out, "/Title (El fantasma)"));
+  EXPECT_TRUE(holds(letter, "/Title (The ghost force)"));
+  EXPECT_TRUE(holds(worksheet({"ghost", "-o", "-", "--language", "es"}).out, "/Title (La fuerza fantasma)"));
   ProgramCall call;
   call.words = {"worksheet", "ghost", "-o", "-"};
   call.environment = {"LC_ALL=es_ES.UTF-8"};
-  EXPECT_TRUE(holds(run_program(ghostforce_program(), call).out, "/Title (The ghost)")) << "the same everywhere";
+  EXPECT_TRUE(holds(run_program(ghostforce_program(), call).out, "/Title (The ghost force)")) << "the same everywhere";
   EXPECT_NE(worksheet({"ghost", "-o", "-", "--answers"}).out, worksheet({"ghost", "-o", "-"}).out);
 }
 
