@@ -1,13 +1,9 @@
 // Recordings of what the servo does: begun, read while they grow, ended.
-#include <array>
 #include <cerrno>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -15,11 +11,9 @@
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/files/file_exchange.h"
-#include "app/files/output_file.h"
 #include "app/files/scene_file.h"
-#include "app/picture/theme.h"
 #include "app/shell/application.h"
-#include "app/shell/receipt_page.h"
+#include "app/shell/receipt_writing.h"
 #include "app/state/scene_view.h"
 #include "app/state/session.h"
 #include "app/state/set_up.h"
@@ -80,23 +74,10 @@ void Application::start_recording(const std::string& path) {
   read_recording();
 }
 
-// Whole or not at all, and over no other file.
 void Application::write_receipt(const std::string& recording) const {
-  const std::filesystem::path path(recording);
-  const std::string stem =
-      path.extension() == ".csv" ? std::filesystem::path(path).replace_extension().string() : recording;
-  const std::array paths{stem + ".receipt.json", stem + ".receipt.pdf"};
-  for (const std::string& each : paths) {
-    std::error_code ignored;
-    if (std::filesystem::exists(std::filesystem::symlink_status(each, ignored))) {
-      throw Failure(ExitCode::file_trouble,
-                    fmt::format("{} already exists, and a receipt never overwrites a file; record under another name",
-                                quoted_text(each, longest_path)));
-    }
-  }
   const ShownMoment present{settings_now(session_), report_.snapshot};
   const Receipt receipt{.origin = *receipt_origin_,
-                        .recording = quoted_text(path.filename().string(), longest_path),
+                        .recording = quoted_text(std::filesystem::path(recording).filename().string(), longest_path),
                         .seconds = recording_reading_.seconds,
                         .dropped = recording_reading_.dropped,
                         .input = session_.input,
@@ -109,13 +90,7 @@ void Application::write_receipt(const std::string& recording) const {
                         .periods = report_.loop.periods,
                         .real_time = report_.loop.periods.ticks() > 0 ? describe(report_.realtime) : "",
                         .log = log_};
-  const std::vector<Pane> page = receipt_page(receipt, painter_.measure);
-  const std::array contents{
-      receipt_json(receipt),
-      painter_.paint({.panes = page, .theme = paper(), .size = receipt_page_size, .title = receipt.set_up}, paths[1])};
-  std::deque<OutputFile> files;
-  for (std::size_t i = 0; i < paths.size(); ++i) files.emplace_back(paths[i]).write(contents[i]);
-  OutputFile::commit_all(files);
+  ghostforce::write_receipt(receipt, painter_, recording);
 }
 
 std::string Application::end_recording() {

@@ -1,6 +1,6 @@
 // The receipt of a session, beside its recording: with which program, device, calibration and settings it was made, how
 // stiff the hand was, what went wrong and when, how evenly the loop ticked, and how warm the motors may have become. One
-// value; as JSON for programs (docs/recording.md), and as a page for people (receipt_page.h). UI thread.
+// value. receipt_writing.h writes it as JSON for programs and as a page for people (docs/recording.md). UI thread.
 #pragma once
 
 #include <cstdint>
@@ -86,7 +86,5 @@ struct Receipt {
   std::string real_time{};  // what the operating system has granted
   SessionLog log{};
 };
-
-std::string receipt_json(const Receipt& receipt);
 
 }  // namespace ghostforce

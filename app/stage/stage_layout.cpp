@@ -321,8 +321,8 @@ Camera stage_camera(const SceneView& shown, const StageLayout& layout) {
   constexpr Vector<2> middle{0.52, 0.60};      // of what is above the row of buttons, from its upper left corner
   constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
   constexpr double things = 92.0;              // that are as large as letters are: how far they reach to each side
-  constexpr double gap = 8.0;
-  const double around = gap * layout.unit;
+  constexpr double air = 8.0;
+  const double around = air * layout.unit;
   const double header_end = layout.lesson ? layout.lesson->title_box.most.y : layout.header_end().most.y;
   const ScreenBox all{{around, std::max(layout.words_end, header_end) + around},
                       {layout.size.x - around, layout.bottom - around}};

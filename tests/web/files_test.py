@@ -52,7 +52,7 @@ class Scenes(PageTest):
     def test_is_saved_and_reads_back_the_same(self):
         browser = self.open()
         x, _ = browser.state()["goal_m"]
-        browser.press("W")
+        browser.press("[")
         browser.press("3")
         browser.press("Ctrl+Left")
         before = browser.wait(
@@ -67,7 +67,7 @@ class Scenes(PageTest):
         self.assertEqual(scene["format"], 1)
         self.assertEqual(scene["rendering"]["strategy"], "anisotropic")
         self.assert_close(scene["goal"]["path_mm"][-1], [1000 * each for each in before["goal_m"]], 1e-6)
-        self.assertNotEqual(scene["wall"]["normal_deg"], 135.0)
+        self.assertEqual(scene["device"]["actuated_deg"], 5.0)
         # And the desktop program reads it.
         answer = self.program("equilibrium", str(path), "--json")
         self.assertEqual(answer.returncode, 0, answer.stderr)
@@ -95,7 +95,7 @@ class Pictures(PageTest):
 
     def test_is_saved_with_its_set_up_and_opens_again(self):
         browser = self.open()
-        browser.press("W")
+        browser.press("[")
         browser.press("3")
         before = browser.wait_until(strategy="anisotropic")
         path = self.save()

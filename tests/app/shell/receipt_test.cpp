@@ -18,7 +18,8 @@
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/camera.h"
-#include "app/shell/receipt_page.h"
+#include "app/shell/receipt_sheet.h"
+#include "app/shell/receipt_writing.h"
 #include "app/state/set_up.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/temporary_folder.h"
@@ -158,14 +159,14 @@ void expect_on_page(const std::vector<Pane>& panes) {
       const Vector<2> most = least + measure_vector_text(label->text, label->style);
       EXPECT_GE(least.x, 0.0) << label->text;
       EXPECT_GE(least.y, 0.0) << label->text;
-      EXPECT_LE(most.x, receipt_page_size.x) << label->text;
-      EXPECT_LE(most.y, receipt_page_size.y) << label->text;
+      EXPECT_LE(most.x, receipt_sheet_size.x) << label->text;
+      EXPECT_LE(most.y, receipt_sheet_size.y) << label->text;
     }
   }
 }
 
 TEST(ReceiptPage, SaysItInWordsWithAChartOfThePeriods) {
-  const std::vector<Pane> panes = receipt_page(full_receipt(), measure_vector_text);
+  const std::vector<Pane> panes = receipt_sheet(full_receipt(), measure_vector_text);
   ASSERT_EQ(panes.size(), 2U);
   expect_on_page(panes);
   const std::string words = words_on(panes);
@@ -185,7 +186,7 @@ TEST(ReceiptPage, SaysWhereTheRestIsIfThereIsNoRoom) {
     receipt.log.note(report, i % 2 == 0 ? "busy" : "unplugged");
   }
   for (int i = 0; i < 1000; ++i) receipt.set_up += " --set wall.normal_deg=120";
-  const std::vector<Pane> panes = receipt_page(receipt, measure_vector_text);
+  const std::vector<Pane> panes = receipt_sheet(receipt, measure_vector_text);
   expect_on_page(panes);
   EXPECT_NE(words_on(panes).find("… the rest is in the JSON file"), std::string::npos);
   EXPECT_NE(words_on(panes).find("Device faults"), std::string::npos) << "long rows leave room for the others";

@@ -9,10 +9,10 @@
 
 namespace ghostforce {
 
-inline constexpr Vector<2> receipt_page_size{595.276, 841.890};  // [points]
+inline constexpr Vector<2> receipt_sheet_size{595.276, 841.890};  // [points]
 
 // Panes of that page. Of what is long only the beginning stands there, and where the rest is. `measure`: of the letters on
 // paper.
-std::vector<Pane> receipt_page(const Receipt& receipt, const MeasureText& measure);
+std::vector<Pane> receipt_sheet(const Receipt& receipt, const MeasureText& measure);
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-#include "app/shell/receipt_page.h"
+#include "app/shell/receipt_sheet.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,8 +148,8 @@ Chart periods_chart(const LoopPeriods& periods) {
 
 }  // namespace
 
-std::vector<Pane> receipt_page(const Receipt& receipt, const MeasureText& measure) {
-  const Vector<2>& size = receipt_page_size;
+std::vector<Pane> receipt_sheet(const Receipt& receipt, const MeasureText& measure) {
+  const Vector<2>& size = receipt_sheet_size;
   std::vector<Pane> panes;
   panes.push_back({Vector<2>(0.0), Camera{0.5 * size, 1.0, size}, StrategyId::full, {}});
   Pane& page = panes.front();
