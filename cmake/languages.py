@@ -1,9 +1,9 @@
-"""languages.py OUTPUT.h OUTPUT.cpp MODEL.toml [LANGUAGE.toml ...]
+"""languages.py OUTPUT.h OUTPUT.cpp [--without SECTION] MODEL.toml [LANGUAGE.toml ...]
 
 Makes the tables of words that app/state/stage_language.h declares from assets/languages. The model's keys are the
 members of struct StageLanguage; a language that lacks one, or has one more, or another number of "{}", is an error that
 names it. A table of tables with equal keys is a struct for all of them, named without its last letter: [modes] holds
-members of type Mode. So is an array of tables.
+members of type Mode. So is an array of tables. The words of a section that a front does not show can be left empty.
 """
 
 import json
@@ -83,9 +83,22 @@ def compare(file, where, words, model):
     return {key: compare(file, f"{where}.{key}".strip("."), words[key], model[key]) for key in model}
 
 
+def emptied(value):
+    if isinstance(value, str):
+        return ""
+    if isinstance(value, list):
+        return [emptied(each) for each in value]
+    return {key: emptied(each) for key, each in value.items()}
+
+
 def main(header, source, *files):
+    left_out = None
+    if files[0] == "--without":
+        _, left_out, *files = files
     languages = [tomllib.loads(pathlib.Path(file).read_text(encoding="utf-8")) for file in files]
     languages = [compare(file, "", words, languages[0]) for file, words in zip(files, languages)]
+    if left_out:
+        languages = [{**words, left_out: emptied(words[left_out])} for words in languages]
     names = [pathlib.Path(file).stem + "_stage" for file in files]
     declared = "".join(f"extern const StageLanguage {name};\n" for name in names)
     declared += f"// All of them, the model first.\nextern const std::array<const StageLanguage*, {len(names)}> stage_languages;\n"
