@@ -17,11 +17,12 @@ void compose_landscape(benchmark::State& state) {
   settings.stiffnesses.believed_k_u = 0.3 * settings.stiffnesses.k_u;  // somewhere there is too little
   const MeasureText measure = measure_vector_text;
   const Camera camera{{0.0, 0.0}, 4000.0, {1280.0, 800.0}};
+  const LandscapeRoom room{{{800.0, 0.0}, {1280.0, 64.0}}, 680.0};
   const double dial = 0.01 * static_cast<double>(state.range(0));
   Marks marks;
   for (auto _ : state) {
     marks.clear();
-    add_landscape({settings, dial, false, english_stage, *find_theme("light"), camera, 1.0, measure}, marks);
+    add_landscape({settings, dial, false, english_stage, *find_theme("light"), camera, 1.0, measure, room}, marks);
     benchmark::DoNotOptimize(marks.data());
   }
   state.counters["marks"] = static_cast<double>(marks.size());
