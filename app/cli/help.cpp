@@ -24,33 +24,35 @@ struct HelpOptions {
 };
 
 // As --help prints it.
-std::string text_of(const std::string& command) {
+std::string text_of(const HelpOptions& options) {
   const std::shared_ptr<CommandTree> tree = make_command_tree();
-  return command.empty() ? tree->app.help() : tree->app.get_subcommand(command)->help(std::string(program_name));
+  if (options.command.empty()) return tree->app.help();
+  return tree->app.get_subcommand(options.command)->help(std::string(program_name));
 }
 
-std::string page_of(const std::string& command) {
+std::string page_of(const HelpOptions& options) {
   const Manual manual = program_manual();
-  if (command.empty()) return man_page(manual);
-  return man_page(manual, *std::ranges::find(manual.commands, command, &ManualCommand::name));
+  if (options.command.empty()) return man_page(manual);
+  return man_page(manual, *std::ranges::find(manual.commands, options.command, &ManualCommand::name));
 }
 
-template <std::size_t number>
-std::string script_of(const std::string& command) {
-  if (command.empty()) return std::string(embedded_completion[number].contents);
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("a completion script is for all commands; leave out {}", quoted_text(command)));
+std::string script_of(const HelpOptions& options) {
+  if (!options.command.empty()) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("a completion script is for all commands; leave out {}", quoted_text(options.command)));
+  }
+  const std::string name = fmt::format("ghostforce.{}", options.format);
+  return std::string(std::ranges::find(embedded_completion, name, &EmbeddedText::name)->contents);
 }
 
 struct HelpFormat {
   std::string_view name;
-  std::string (*print)(const std::string& command);
+  std::string (*print)(const HelpOptions& options);
 };
 
-// The scripts are in the order of CMakeLists.txt.
 constexpr std::array help_formats{
-    HelpFormat{"text", text_of},     HelpFormat{"man", page_of},       HelpFormat{"bash", script_of<0>},
-    HelpFormat{"zsh", script_of<1>}, HelpFormat{"fish", script_of<2>},
+    HelpFormat{"text", text_of},  HelpFormat{"man", page_of},    HelpFormat{"bash", script_of},
+    HelpFormat{"zsh", script_of}, HelpFormat{"fish", script_of},
 };
 
 }  // namespace
@@ -64,7 +66,7 @@ std::function<int()> attach_help(CLI::App& command, FileOptions&) {
              "completes commands, options, scenes, lessons and keys; default: text")
       ->check(one_of(names_of(help_formats)));
   return [options] {
-    print(std::ranges::find(help_formats, options->format, &HelpFormat::name)->print(options->command));
+    print(std::ranges::find(help_formats, options->format, &HelpFormat::name)->print(*options));
     return static_cast<int>(ExitCode::done);
   };
 }

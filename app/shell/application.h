@@ -181,7 +181,7 @@ class Application {
   void save_clip(const SaveClip& request);
   void start_recording(const std::string& path);
   void read_recording();
-  void write_receipt(const std::string& recording) const;
+  void keep_receipt_of(const std::string& recording) const;
   void take_back(bool undo);
   void offer_undo();
   const InputEntry& input_of(std::string_view name) const;

@@ -146,6 +146,7 @@ void Application::take_back(bool undo) {
   if (is_measuring(session_)) return cancel_measurement(session_);
   // What is being changed right now is one more step to take back.
   undo_.note(undo_state(), false);
+  const UndoState earlier = undo_.present();
   const std::optional<UndoState> wanted = undo ? undo_.undo() : undo_.redo();
   if (!wanted) return;
   if (wanted->scene == session_.scene) {
@@ -158,6 +159,9 @@ void Application::take_back(bool undo) {
   } else {
     show(*wanted);
   }
+  show_notice(undo ? fmt::format("Undone: {}.", words_of_change(*wanted, earlier))
+                   : fmt::format("Redone: {}.", words_of_change(earlier, *wanted)),
+              false);
 }
 
 }  // namespace ghostforce

@@ -74,7 +74,7 @@ void Application::start_recording(const std::string& path) {
   read_recording();
 }
 
-void Application::write_receipt(const std::string& recording) const {
+void Application::keep_receipt_of(const std::string& recording) const {
   const ShownMoment present{settings_now(session_), report_.snapshot};
   const Receipt receipt{.origin = *receipt_origin_,
                         .recording = quoted_text(std::filesystem::path(recording).filename().string(), longest_path),
@@ -90,7 +90,7 @@ void Application::write_receipt(const std::string& recording) const {
                         .periods = report_.loop.periods,
                         .real_time = report_.loop.periods.ticks() > 0 ? describe(report_.realtime) : "",
                         .log = log_};
-  ghostforce::write_receipt(receipt, painter_, recording);
+  write_receipt(receipt, painter_, recording);
 }
 
 std::string Application::end_recording() {
@@ -109,7 +109,7 @@ std::string Application::end_recording() {
   if (receipt_origin_ && !found_at.empty() && !interrupted()) {
     if (!end.words.ends_with('.')) end.words += '.';
     try {
-      write_receipt(found_at);
+      keep_receipt_of(found_at);
       end.words += " Its receipt is beside it.";
     } catch (const Failure& failure) {
       if (failure.code() != ExitCode::interrupted)

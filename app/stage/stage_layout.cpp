@@ -119,15 +119,7 @@ class Arrangement {
     layout_.sentence_box.most =
         layout_.sentence_box.least +
         Vector<2>(width, static_cast<double>(layout_.sentence.size()) * layout_.letters.sentence.height);
-    std::size_t most = std::max(layout_.sentence.size(), lines(texts_.longest, mark_width(true)).size());
-    for (const std::string_view warning : words_of(words_.language.warnings)) {
-      most = std::max(most, lines(warning, mark_width(true)).size());
-    }
-    if (words_.lesson == nullptr) {
-      for (const std::string_view sentence : words_of(words_.language.sentences)) {
-        most = std::max(most, lines(sentence, mark_width(true)).size());
-      }
-    }
+    const std::size_t most = std::max(layout_.sentence.size(), most_lines_there());
     layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
@@ -145,9 +137,29 @@ class Arrangement {
 
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
+  double sentence_width(double indented_by) const {
+    return layout_.header_left - points(gap) - layout_.margin - indented_by;
+  }
+
   std::vector<std::string> lines(std::string_view words, double indented_by) const {
-    const double end = layout_.header_left - points(gap);
-    return broken_into_lines(words, end - layout_.margin - indented_by, layout_.letters.sentence, measure_);
+    return broken_into_lines(words, sentence_width(indented_by), layout_.letters.sentence, measure_);
+  }
+
+  // Of all that may stand where the sentence does. In most windows nothing is wider than a line, and is only measured.
+  std::size_t most_lines_there() const {
+    const double width = sentence_width(mark_width(true));
+    std::size_t most = 1;
+    const auto count = [&](std::string_view words) {
+      if (measure_(words, layout_.letters.sentence).x > width)
+        most = std::max(most, lines(words, mark_width(true)).size());
+    };
+    std::ranges::for_each(words_of(words_.language.warnings), count);
+    if (words_.lesson != nullptr) {
+      count(texts_.longest);
+    } else {
+      std::ranges::for_each(words_of(words_.language.sentences), count);
+    }
+    return most;
   }
 
   // From the right to the left.

@@ -254,8 +254,12 @@ TEST_F(FindingThings, UndoAndRedoAreButtonsThatSayWhatTheyChange) {
   EXPECT_EQ(session().settings.stiffnesses.k_r, 600.0);
   EXPECT_EQ(session().undo_offer.undo, "");
   EXPECT_EQ(session().undo_offer.redo, "k_r");
+  ASSERT_TRUE(session().notice);
+  EXPECT_EQ(session().notice->words, "Undone: k_r.");
   click_on("strategies", "##redo");
   EXPECT_EQ(session().settings.stiffnesses.k_r, 900.0);
+  ASSERT_TRUE(session().notice);
+  EXPECT_EQ(session().notice->words, "Redone: k_r.");
 }
 
 TEST_F(FindingThings, TheWordsOfUndoNameOneChangeOrTwo) {
