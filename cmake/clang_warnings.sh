@@ -3,18 +3,21 @@
 
 # clang_warnings [COMMIT]: of the sources that differ from that commit, and those that include what does
 # (cmake/changed_sources.py, which also says from which commit on if none is named). They are read and not compiled
-# (cmake/syntax_check.py). Benches are among them where their library is installed.
+# (cmake/syntax_check.py). Where these are many, all are read in the batches in which they are compiled, which takes less
+# than half the time; each by itself is then left to .ci/long. Benches are among them where their library is installed.
 clang_warnings() {
-  local benches=OFF list changed
+  local benches=OFF list changed preset=clang many=150
   [[ ! -e /usr/include/benchmark/benchmark.h ]] || benches=ON
   [[ $benches == ON ]] || say "Without the benches: libbenchmark-dev is not installed."
   list=$("$root/cmake/changed_sources.py" "$@") || fail "What has changed is not known."
+  [[ $list ]] || { say "No source has changed."; return; }
   mapfile -t changed <<<"$list"
+  ((${#changed[@]} <= many)) || preset=clang-batches changed=()
   # The headers that are made by the build, not when it is configured.
-  configure_and_build clang generated/glad/include/glad/gl.h \
+  configure_and_build $preset generated/glad/include/glad/gl.h \
     -DBUILD_TESTING=ON -DGHOSTFORCE_WARNINGS_AS_ERRORS=ON -DGHOSTFORCE_BENCH=$benches
-  build clang generated/embedded/embedded_languages.h
-  logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/clang/compile_commands.json" ${list:+"${changed[@]}"} ||
+  build $preset generated/embedded/embedded_languages.h
+  logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/$preset/compile_commands.json" "${changed[@]}" ||
     fail_with clang-warnings "clang has something to say."
   say "clang has nothing to say of what changed: $(tail -n 1 "$(log_of clang-warnings)")"
 }

@@ -20,7 +20,7 @@ make_debian_root() {
   can_enter_debian_root ||
     fail "This machine lets nobody mount a folder (unshare --mount --pid), which entering $folder needs."
   mkdir -p "$(dirname "$folder")" "$root/build"
-  exec {lock}>"$root/build/.lock"
+  exec {lock}>"$folder.lock"  # its own: this machine may build meanwhile
   flock "$lock"
   if [[ ! -e $folder ]]; then
     install_packages roots

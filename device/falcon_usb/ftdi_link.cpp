@@ -64,9 +64,17 @@ LinkFault FtdiLink::open_first(const StopDebts& owed) noexcept {
   if (fault_ != LinkFault::none) {
     close();
   } else {
-    guard_.start(usb_.descriptor(), usb_.node(), guard_orders(), owed.has(falcon_serial_of(usb_.serial())));
+    start_guard(owed.has(falcon_serial_of(usb_.serial())));
   }
   return fault_;
+}
+
+// A busy machine may not let it begin in time. Without a guard the motors stay off for as long as the device is open.
+void FtdiLink::start_guard(bool may_push) noexcept {
+  constexpr int attempts = 3;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (guard_.start(usb_.descriptor(), usb_.node(), guard_orders(), may_push)) return;
+  }
 }
 
 // The guard knows nothing of frames: it gets the bytes.

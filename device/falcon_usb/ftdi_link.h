@@ -101,6 +101,7 @@ class FtdiLink final : public FalconLink {
   void keep(std::span<const std::uint8_t> payload) noexcept;
   bool may_send_again() noexcept;
   GuardOrders guard_orders() const noexcept;
+  void start_guard(bool may_push) noexcept;
   bool is_overruled() const noexcept;
   void heed_guard() noexcept;
   void insist_on_stop() noexcept;

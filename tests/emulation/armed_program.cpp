@@ -27,6 +27,8 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/files/scene_file.h"
@@ -162,8 +164,9 @@ class Person {
   // Until motors push. Begins once more whenever they went off before, or did not come on, because this machine has
   // other things to do.
   void arm_and_lean_in() {
+    constexpr int most_attempts = 60;  // of some seconds each
     while (!input_->report().is_readable()) live();
-    for (int attempt = 0;; ++attempt) {
+    for (int attempt = 0; attempt < most_attempts; ++attempt) {
       say(attempt % 2 == 0 ? "outside" : "aside");
       ask_for_motors();
       for (int rounds = 0; !is_armed() && rounds < 1000; ++rounds) live();
@@ -177,6 +180,9 @@ class Person {
       }
       while (motors().state != SafetyState::off) live();
     }
+    const MotorReport& now = motors();
+    throw std::runtime_error(fmt::format("the motors do not come on: {}; last {}", entry_of(now.obstacle).sentence,
+                                         entry_of(now.last_reason).name));
   }
 
   void ask_for_motors() {

@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "app/base/failure.h"
@@ -373,6 +374,20 @@ TEST_F(WaysOutWithAGuardTest, TheGuardIsFoundWhereItIsInstalled) {
   ASSERT_NO_FATAL_FAILURE(send(SIGKILL));
   EXPECT_EQ(program->wait_for_end(), 128 + SIGKILL);
   wait_for_zero();
+}
+
+// As one may on a machine that is busy with other things.
+TEST_F(WaysOutWithAGuardTest, TheGuardThatDoesNotStartIsStartedAgain) {
+  const std::filesystem::path own = folder.path();
+  const std::filesystem::path built = std::filesystem::path(ARMED_PROGRAM).parent_path();
+  std::filesystem::copy_file(ARMED_PROGRAM, own / "armed_program");
+  std::ofstream(own / "ghostforce-guard")
+      << fmt::format("#!/bin/sh\nif mkdir {0}; then exit 1; fi\nexec {1} \"$@\"\n", (own / "has-failed").string(),
+                     (built / "ghostforce-guard").string());
+  std::filesystem::permissions(own / "ghostforce-guard", std::filesystem::perms::owner_all);
+  armed_program = own / "armed_program";
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  EXPECT_TRUE(std::filesystem::exists(own / "has-failed"));
 }
 
 // There is none beside this copy of the program.

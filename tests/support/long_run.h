@@ -1,5 +1,5 @@
 // With GHOSTFORCE_LONG in the environment (.ci/long) some tests run in full: ten million ticks instead of one million, and
-// all stored pictures under a sanitizer instead of ten.
+// under a sanitizer all stored pictures instead of ten, and monkeys for as long as without one.
 #pragma once
 
 #include <cstdlib>

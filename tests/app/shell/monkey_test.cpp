@@ -268,7 +268,7 @@ TEST_F(MonkeyTest, DISABLED_DoesAsListed) {
 }
 
 TEST_F(MonkeyTest, DISABLED_DoesWhatItLikes) {
-  const int events = number_from_environment("GHOSTFORCE_MONKEY_EVENTS", 1500);
+  const int events = length_of_run("GHOSTFORCE_MONKEY_EVENTS", 1500);
   begin();
   act(StartRecording{"a.csv"});
   for (int i = 0; i < events; ++i) {
