@@ -101,7 +101,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
     return StageCornerButton{StageCommand::measure, std::string(words)};
   }
   const bool has_more = session.settings.active != StrategyId::full && stage.why_step < last_why_step;
-  if (stage.mode == StageMode::why && has_more) {
+  if (stage.mode == StageMode::why && has_more && is_in_wall) {
     return StageCornerButton{StageCommand::next, std::string(language.buttons.next_step)};
   }
   return StageCornerButton{stage.mode, std::string(language.buttons.back)};

@@ -1,4 +1,4 @@
-// The one table of keys: what is pressed, what it does, in words for the person and as an action. Help, README and
+// The one table of keys: what is pressed, what it does, in words for the person and as an action. Help, docs/keys.md and
 // tests walk it.
 #pragma once
 

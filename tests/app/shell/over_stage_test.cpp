@@ -8,6 +8,7 @@
 
 #include <imgui_internal.h>
 
+#include "app/state/stage_language.h"
 #include "app/widgets/focus.h"
 #include "app/widgets/pointing.h"
 #include "tests/app/shell/driven_window.h"
@@ -124,6 +125,18 @@ TEST_F(OverStage, NoticesCoverNoButtonOfTheStage) {
       }
     }
   }
+}
+
+// There is no next step of Why? before there is a force to explain.
+TEST_F(OverStage, TheLastButtonIsTheWayBackWhereNothingComesNext) {
+  open_stage(1280, 800);
+  act(ToggleMode{StageMode::why});
+  frames(3);
+  const auto last_button = [&] { return screen().stage().picture().buttons.back().words; };
+  EXPECT_EQ(last_button(), stage_language("en").buttons.next_step);
+  session().goal = {-0.03, 0.03};  // in front of the wall
+  frames(3);
+  EXPECT_EQ(last_button(), stage_language("en").buttons.back);
 }
 
 TEST_F(OverStage, NoticesCoverNoControlOfTheWorkbench) {

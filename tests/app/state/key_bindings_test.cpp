@@ -63,8 +63,8 @@ void prepare(const KeyBinding& binding, Session& session) {
   if (is(key::f, 0)) session.shown.width = 0.5;
 }
 
-TEST(KeyTable, IsTheOneInTheReadme) {
-  const std::string readme = read_whole(source_path("/README.md"));
+TEST(KeyTable, IsTheOneInTheGuide) {
+  const std::string guide = read_whole(source_path("/docs/keys.md"));
   std::string table = "| mouse, key | what it does |\n| --- | --- |\n";
   for (const MouseGesture& gesture : mouse_table()) {
     table += fmt::format("| {} | {} |\n", gesture.shown, gesture.sentence);
@@ -72,7 +72,7 @@ TEST(KeyTable, IsTheOneInTheReadme) {
   for (const KeyBinding& binding : key_table()) {
     if (!binding.shown.empty()) table += fmt::format("| {} | {} |\n", binding.shown, binding.sentence);
   }
-  EXPECT_NE(readme.find(table), std::string::npos) << "README.md should hold\n" << table;
+  EXPECT_NE(guide.find(table), std::string::npos) << "docs/keys.md should hold\n" << table;
   EXPECT_LE(std::ranges::count(table, '\n'), 2 + 30) << "more than anybody reads";
 }
 
