@@ -191,7 +191,7 @@ run_tests() {
     esac
     [[ ! -e $tree/test_by_test ]] || export GHOSTFORCE_TEST_BY_TEST=yes
     rm -f "$log"
-    ctest --test-dir "$tree" --parallel "$((3 * $(nproc)))" --output-on-failure --no-tests=error "${@:2}"
+    ctest --test-dir "$tree" --parallel "$((2 * $(nproc)))" --output-on-failure --no-tests=error "${@:2}"
   ) || status=$?
   [[ ! -e $log ]] || awk -f "$root/cmake/count_tests.awk" "$log"
   return $status

@@ -21,7 +21,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr milliseconds program_patience{60'000};  // with what must happen before the fault
-constexpr milliseconds return_patience{30'000};
+constexpr milliseconds return_patience{240'000};
 constexpr std::chrono::microseconds look_interval{250};
 
 constexpr std::int64_t ms = 1'000'000;
