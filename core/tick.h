@@ -1,4 +1,4 @@
-// One tick of the sampled-data loop, for all strategies under the same goal, and whether the loop has run away.
+// One tick of the sampled-data loop, for all strategies under the same goal.
 // noexcept, allocates nothing, takes no lock, reads no clock: settings, state and reading come in as values, a snapshot
 // goes out. Any thread.
 #pragma once
@@ -100,26 +100,6 @@ SnapshotIn<D> snapshot_of(const TickCoefficients<D>& coefficients, const TickSta
 template <glm::length_t D>
 void take_snapshot(const TickCoefficients<D>& coefficients, const TickState<D>& state,
                    SnapshotIn<D>& snapshot) noexcept;
-
-// No device is farther away than this [m]; a scene lies within a metre.
-inline constexpr double farthest_device_m = 1000.0;
-
-// No run is longer: a year and a half at the highest rate, far from where the number of a tick would overflow.
-inline constexpr std::int64_t last_tick_ever = 1'000'000'000'000;
-
-// Whether the simulation has run away, so that it cannot continue from this state: some number in it is not finite, or
-// too large. Settings can make the sampled loop unstable; its numbers then grow without end.
-inline bool has_diverged(const TickState<2>& state) noexcept {
-  const auto is_near = [](const Vector<2>& v) {  // false for NaN
-    return std::abs(v.x) <= farthest_device_m && std::abs(v.y) <= farthest_device_m;
-  };
-  return !(state.tick >= 0 && state.tick <= last_tick_ever && is_near(state.goal) &&
-           std::ranges::all_of(state.strategies, [&](const TickState<2>::StrategyState& strategy) {
-             return is_near(strategy.motion.position) && is_near(strategy.proxy) &&
-                    std::isfinite(strategy.motion.velocity.x) && std::isfinite(strategy.motion.velocity.y) &&
-                    std::isfinite(strategy.energy);
-           }));
-}
 
 // --- One strategy ----------------------------------------------------------------------------------------------------
 

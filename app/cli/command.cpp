@@ -1,6 +1,5 @@
 #include "app/cli/command.h"
 
-#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
@@ -18,6 +17,7 @@
 #include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/state/set_up.h"
+#include "core/divergence.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -49,19 +49,6 @@ std::vector<std::string> offered_words(CLI::Option& option) {
   std::istringstream words(names);
   return {std::istream_iterator<std::string>(words), {}};
 }
-
-namespace {
-
-void stop_if_run_away(const Snapshot& snapshot, StrategyId id) {
-  const StrategySnapshot<2>& now = snapshot.strategies[index_of(id)];
-  if (std::isfinite(glm::dot(now.device, now.device)) && std::isfinite(glm::dot(now.force, now.force))) return;
-  throw Failure(ExitCode::wrong_call,
-                fmt::format("the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
-                            "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m",
-                            strategy(id).name, snapshot.time_s));
-}
-
-}  // namespace
 
 void SceneOptions::attach(CLI::App& command, FileOptions& files, bool scene_required) {
   option = files.reads(add_option(command, "SCENE", scene,
@@ -126,13 +113,18 @@ void print(std::string_view text) {
   output.commit();
 }
 
+void end_unstable(OutputFile& file, StrategyId strategy, double time_s, std::string_view run) {
+  if (file.part_path().empty()) file.commit();
+  throw unstable_loop(strategy, time_s, run);
+}
+
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
                   std::int64_t last, std::span<const StrategyId> ids) {
   Progress progress(std::string(doing), last, !file.is_terminal());
   fmt::memory_buffer rows;
   simulate_from(state, scene, last, [&](const Snapshot& snapshot) {
     for (const StrategyId id : ids) {
-      stop_if_run_away(snapshot, id);
+      if (has_diverged(snapshot.strategies[index_of(id)])) end_unstable(file, id, snapshot.time_s);
       append_run_row(rows, snapshot, id);
       rows.push_back('\n');
     }

@@ -131,10 +131,14 @@ class Lines {
 };
 
 // Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
-// these strategies. `doing` is what the progress on a terminal is called. Unstable settings let the numbers grow until
-// they are none. That is an answer, but no data: throws Failure(wrong_call); interrupted; and what OutputFile throws.
+// these strategies. `doing` is what the progress on a terminal is called. Ends as end_unstable() does where a loop runs
+// away. Throws Failure(interrupted), and what OutputFile throws.
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
                   std::int64_t last, std::span<const StrategyId> ids);
+
+// Ends a command whose loop has run away, with unstable_loop() (run.h): a pipe has the whole rows until then, and a file
+// does not come to be.
+[[noreturn]] void end_unstable(OutputFile& file, StrategyId strategy, double time_s, std::string_view run = {});
 
 // The exit code of an error that knows of none: of a file that was to be read. Pure, any thread.
 constexpr ExitCode exit_code_of(ReadError::Kind kind) noexcept {

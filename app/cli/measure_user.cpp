@@ -24,6 +24,7 @@
 #include "app/files/run_reader.h"
 #include "app/runs/live_readings.h"
 #include "core/conventions.h"
+#include "core/divergence.h"
 #include "core/user_measurement.h"
 
 namespace ghostforce {
@@ -313,6 +314,15 @@ std::string table_text(const std::vector<Rest>& rests, const std::vector<Hand>& 
   return text;
 }
 
+void refuse_unstable_run(const Run& run, const std::string& path) {
+  for (const RunTick& tick : run.ticks) {
+    for (const Strategy& each : strategy_catalog()) {
+      const std::optional<RunRow>& row = tick.rows[index_of(each.id)];
+      if (row && !(is_near(row->device) && is_near(row->proxy))) throw unstable_loop(each.id, tick.time_s, path);
+    }
+  }
+}
+
 int measure_user(const MeasureUserOptions& options) {
   std::optional<Vector<2>> target;
   if (options.target_mm) target = position_from_mm("--target-mm", *options.target_mm);
@@ -323,6 +333,7 @@ int measure_user(const MeasureUserOptions& options) {
                                                     "file from 'simulate', 'replay' or a recording",
                                                     quoted_text(options.run, longest_path)));
   }
+  refuse_unstable_run(run, options.run);
   const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
   const auto was_not_told = [](const RunTick& tick) {
     return tick.measured && tick.rows[index_of(*tick.measured)] && !tick.rows[index_of(*tick.measured)]->sent;

@@ -24,6 +24,7 @@
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
+#include "core/divergence.h"
 
 namespace ghostforce {
 namespace {
@@ -129,6 +130,10 @@ int replay_exactly(const ReplayOptions& options) {
   std::optional<Settings> newest;
   bool tells_tones = false;
   Replay replay([&](const ReplayedTick& tick) {
+    for (const Strategy& each : strategy_catalog()) {
+      if (!tick.is_known[index_of(each.id)] || !has_diverged(tick.snapshot.strategies[index_of(each.id)])) continue;
+      end_unstable(file, each.id, tick.snapshot.time_s, options.run);
+    }
     if (newest != tick.settings) {
       append_set_lines(lines, tick.snapshot.time_s, known, tick.settings);
       newest = tick.settings;

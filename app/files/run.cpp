@@ -5,6 +5,7 @@
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/files/program_build.h"
 #include "app/files/scene_file.h"
@@ -35,6 +36,17 @@ ReadError too_long(const RunFacts& run, const RunTick& tick) {
             .remedy = fmt::format("if that time is wrong, correct the line; if the run really is that long, cut it "
                                   "before this line:\nhead -n {} RUN.csv > shorter.csv",
                                   tick.line - 1)}}};
+}
+
+Failure unstable_loop(StrategyId id, double time_s, std::string_view run) {
+  const std::string name = quoted_text(run, longest_path);
+  return {
+      ExitCode::wrong_call,
+      fmt::format("{}{}the sampled loop is unstable with these settings: the {} device has run away by t = {} s; "
+                  "lower rendering.k_r_N_per_m, or raise device.rate_hz, device.mass_kg or "
+                  "device.damping_N_s_per_m{}",
+                  name, name.empty() ? "" : ": ", strategy(id).name, time_s,
+                  run.empty() ? "" : ", as in\nghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv")};
 }
 
 std::string provenance(const Scene& scene) {

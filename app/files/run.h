@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "app/base/failure.h"
 #include "app/files/read_error.h"
 #include "core/scene.h"
 #include "core/snapshot.h"
@@ -90,6 +91,10 @@ class RunLength {
 
 // What to say of the first tick that is too far off.
 ReadError too_long(const RunFacts& run, const RunTick& tick);
+
+// What ends the work with a loop that has run away (core/divergence.h), by `time_s`. `run`: the file that it is in, or
+// whose hand is played; empty: a scene's own.
+Failure unstable_loop(StrategyId strategy, double time_s, std::string_view run = {});
 
 // The columns that every run has.
 inline constexpr std::string_view run_columns =

@@ -19,7 +19,7 @@
 #include "app/state/undo.h"
 #include "app/state/user_measurement_guide.h"
 #include "core/simulate.h"
-#include "core/tick.h"
+#include "core/divergence.h"
 
 namespace ghostforce {
 namespace {

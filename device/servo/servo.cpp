@@ -10,6 +10,7 @@
 #include "core/belief.h"
 #include "core/proxy.h"
 #include "core/scene.h"
+#include "core/divergence.h"
 #include "core/tick.h"
 
 namespace ghostforce {

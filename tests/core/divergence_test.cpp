@@ -1,4 +1,4 @@
-#include "core/tick.h"
+#include "core/divergence.h"
 
 #include <cstdint>
 #include <functional>

@@ -19,6 +19,7 @@
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/files/descriptor.h"
+#include "app/files/run.h"
 #include "app/paint/file_painter.h"
 #include "app/shell/desktop/glfw_window.h"
 #include "app/shell/desktop/opengl_window.h"
@@ -30,9 +31,9 @@
 #include "app/state/set_up_of.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "core/conventions.h"
+#include "core/divergence.h"
 #include "core/hand_measurement.h"
 #include "core/simulate.h"
-#include "core/tick.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {
@@ -107,12 +108,6 @@ LoopReading loop_of(const PictureRequest& request, const Moment& moment) {
           .circle = moment.circle};
 }
 
-[[noreturn]] void refuse_unstable_loop() {
-  throw Failure(ExitCode::wrong_call,
-                "there is nothing to draw: with these settings the sampled loop is unstable and the device runs away; "
-                "lower k_r_N_per_m, or raise rate_hz, mass_kg or damping_N_s_per_m");
-}
-
 // Up to that tick; on_tick(const Moment&) is called after each.
 template <typename OnTick>
 Moment simulate_moments(const PictureRequest& request, const std::optional<double>& until_s, OnTick&& on_tick) {
@@ -127,7 +122,8 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
     meter->start(scene.settings, circle);
   }
   const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
-  const TickState<2> state = simulate(scene, tick_at(scene, until_s), [&](const Snapshot& snapshot) {
+  simulate(scene, tick_at(scene, until_s), [&](const Snapshot& snapshot) {
+    if (const auto id = diverged_strategy(snapshot)) throw unstable_loop(*id, snapshot.time_s);
     if (is_looked_back_at) {
       moment.history.add(snapshot, scene.settings);
     } else {
@@ -141,19 +137,11 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
     if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
     on_tick(moment);
   });
-  if (has_diverged(state)) refuse_unstable_loop();
   // A lesson's step waits for whoever does it.
   if (request.mode == StageMode::measure && !request.lesson) {
     moment.hand = measure_simulated_hand(scene, moment.snapshot.time_s, StiffnessProbe::gives_up_after_s);
   }
   return moment;
-}
-
-// Far beyond any scene, or no number.
-bool has_run_away(const Snapshot& snapshot) {
-  return !std::ranges::all_of(snapshot.strategies, [](const StrategySnapshot<2>& strategy) {
-    return std::hypot(strategy.device.x, strategy.device.y) <= farthest_device_m;
-  });
 }
 
 // One that shows every place of the hand in these times.
@@ -280,7 +268,6 @@ void draw_clip(const PictureRequest& request, const ClipTimes& times, const std:
   const std::int64_t count = frame_count(times);
   std::int64_t drawn = 0;
   const auto draw_next = [&](const Moment& moment) {
-    if (has_run_away(moment.snapshot)) refuse_unstable_loop();
     if (drawn == 0) {
       session = session_of(request, moment);
       session->folded_panels = panels_folded_at_first(request.height / request.appearance.scale);

@@ -9,8 +9,8 @@
 #include "app/base/failure.h"
 #include "app/tools/figures/sheet.h"
 #include "core/conventions.h"
+#include "core/divergence.h"
 #include "core/simulate.h"
-#include "core/tick.h"
 
 namespace ghostforce {
 namespace {

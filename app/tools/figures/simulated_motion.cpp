@@ -17,8 +17,8 @@
 #include "app/base/typed_text.h"
 #include "app/files/run.h"
 #include "app/runs/replay.h"
+#include "core/divergence.h"
 #include "core/simulate.h"
-#include "core/tick.h"
 
 namespace ghostforce {
 namespace {
@@ -65,13 +65,11 @@ std::vector<CsvCell> row_of(const SimulatedMotion& motion, StrategyId id, std::s
 SimulatedMotion simulate_motion(std::string name, const Scene& scene) {
   SimulatedMotion motion{.name = std::move(name), .scene = scene};
   const Thinned thinned(last_tick(scene));
-  const TickState<2> state = simulate(scene, thinned.last, [&](const Snapshot& snapshot) {
+  simulate(scene, thinned.last, [&](const Snapshot& snapshot) {
+    if (const auto id = diverged_strategy(snapshot)) throw unstable_loop(*id, snapshot.time_s);
     if (thinned.keeps(snapshot.tick)) motion.moments.push_back(snapshot);
     if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
   });
-  if (has_diverged(state)) {
-    throw Failure(ExitCode::wrong_call, "with these settings the sampled loop is unstable and the device runs away");
-  }
   motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
   return motion;
 }
@@ -95,19 +93,14 @@ SimulatedMotion simulate_hand(const RecordedHand& hand) {
       const double time_s = k == ticks ? path.times[i] : before_s + time_of(k, coefficients.rate);
       if (!stiffness.is_empty()) set_user_stiffness(coefficients, stiffness_at(stiffness, time_s));
       tick(coefficients, goal_at(path, time_s), state);
+      const Snapshot snapshot = snapshot_of(coefficients, state);
+      if (const auto id = diverged_strategy(snapshot)) throw unstable_loop(*id, time_s, hand.name);
       if (state.tick % ticks_between_looks == 0) stop_if_interrupted();
       const bool is_last = k == ticks && i + 1 == path.times.size();
       if (!is_last && !thinned.keeps(state.tick)) continue;
-      motion.moments.push_back(snapshot_of(coefficients, state));
+      motion.moments.push_back(snapshot);
       motion.moments.back().time_s = time_s;  // the rate may have been another one before
     }
-  }
-  if (has_diverged(state)) {
-    throw Failure(ExitCode::wrong_call,
-                  fmt::format("{}: with its settings the sampled loop is unstable and the device runs away; play its "
-                              "hand with other settings first, and give that file, as in\n"
-                              "ghostforce replay RUN.csv --set rendering.k_r_N_per_m=500 -o calm.csv",
-                              hand.name));
   }
   motion.rest = predicted_equilibria(settings_at_end(motion), motion.moments.back().goal);
   return motion;

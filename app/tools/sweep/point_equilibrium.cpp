@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 
 #include "core/batch.h"
+#include "core/divergence.h"
 
 namespace ghostforce {
 namespace {
@@ -52,7 +53,7 @@ enum class Course { moving, at_rest, run_away };
 // Squares are compared where that saves a root: most looks find a device that moves.
 Course course_of(const Balance& balance, const Batch::Lane& now, const Vector<2>& goal) noexcept {
   const double device = glm::dot(now.device, now.device);
-  if (!std::isfinite(device) || !std::isfinite(glm::dot(now.force, now.force))) return Course::run_away;
+  if (!is_near(now.device) || !is_finite(now.force)) return Course::run_away;
   const double farthest = std::max({balance.farthest_given, device, glm::dot(now.proxy, now.proxy)});
   const double negligible = balance.least + balance.rounding * std::sqrt(farthest);
   const Vector<2> pull = balance.k_u * (goal - now.device) + now.force;

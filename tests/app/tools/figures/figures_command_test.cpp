@@ -169,7 +169,7 @@ TEST(FiguresHand, IsRefusedWithARemedy) {
   wild.replace(k_r, wild.find('\n', k_r) - k_r, "k_r_N_per_m = 100000.0");
   const HandFigure unstable = hand_figure(folder, wild);
   EXPECT_EQ(unstable.outcome.exit_code, 2);
-  EXPECT_TRUE(contains(unstable.outcome.err, "run.csv: with its settings the sampled loop is unstable"))
+  EXPECT_TRUE(contains(unstable.outcome.err, "run.csv: the sampled loop is unstable with these settings"))
       << unstable.outcome.err;
   EXPECT_TRUE(contains(unstable.outcome.err, "--set rendering.k_r_N_per_m=")) << unstable.outcome.err;
   EXPECT_FALSE(fs::exists(folder / "out"));
