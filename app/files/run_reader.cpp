@@ -20,7 +20,7 @@
 #include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
-#include "core/tick.h"
+#include "core/divergence.h"
 
 namespace ghostforce {
 namespace {
@@ -233,12 +233,23 @@ class RunReader {
     }
     run_.settings = {run_.scene->settings};
     settings_ = run_.scene->settings;
-    // Settings alone, so that a change is quick to read however long the path is.
-    Scene short_scene = *run_.scene;
-    short_scene.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
-    short_scene.stiffness_path = {};
-    short_scene.duration = 0.0;
-    scene_text_ = scene_text(short_scene);
+    // Settings alone, so that a change is quick to read however long path and words are.
+    changed_ = *run_.scene;
+    changed_.title = changed_.about = "";
+    changed_.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
+    changed_.stiffness_path = {};
+    changed_.duration = 0.0;
+    scene_text_ = scene_text(changed_);
+  }
+
+  // Most changes are of a number, and need no TOML. False: it is none, or out of range.
+  bool change_number(const SceneKey& key, std::string_view text) {
+    const std::optional<NumberLimits> limits = limits_of(key);
+    const std::optional<double> number = limits ? read_number(text) : std::nullopt;
+    if (!number || !(*number >= limits->least && *number <= limits->greatest)) return false;
+    if (limits->whole && *number != std::trunc(*number)) return false;
+    set_number(changed_, key, *number);
+    return true;
   }
 
   void take_set(std::string_view rest) {
@@ -248,10 +259,14 @@ class RunReader {
     const SceneKey* const key = find_scene_key(name);
     if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is not a setting", quoted_text(name)));
     overrides_.insert_or_assign(std::string(name), std::string(rest));
+    if (change_number(*key, rest.substr(std::min(name.size() + 1, rest.size())))) {
+      settings_ = changed_.settings;
+      return;
+    }
     std::vector<std::string> arguments;
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
     try {
-      settings_ = read_scene(scene_text_, run_.name, arguments).settings;
+      settings_ = changed_.settings = read_scene(scene_text_, run_.name, arguments).settings;
     } catch (const ReadError& error) {
       damaged(error.problems().front().what);
     }
@@ -388,6 +403,7 @@ class RunReader {
 
   bool is_within_scene_ = false;
   std::string scene_text_;                        // once it is read: one of the header's settings
+  Scene changed_;                                 // the same, with the settings in use
   std::string scene_problem_;                     // why there is none; empty: it was read, or is not told
   std::map<std::string, std::string> overrides_;  // by key, the newest change of it
   Settings settings_;                             // in use
