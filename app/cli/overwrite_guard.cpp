@@ -15,6 +15,7 @@
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
+#include "app/files/output_file.h"
 
 namespace ghostforce {
 namespace {
@@ -34,7 +35,8 @@ bool is_plain_file(const std::string& path, struct stat& status) {
 // Where an output goes, in one way of writing; what cannot be followed (a pipe, links in a circle) by its name.
 std::filesystem::path destination(const std::string& output) {
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::absolute(output == "-" ? "/dev/stdout" : output, error);
+  const std::filesystem::path path =
+      end_of_links(std::filesystem::absolute(output == "-" ? "/dev/stdout" : output, error));
   std::filesystem::path resolved = std::filesystem::weakly_canonical(path, error);
   return error ? path.lexically_normal() : resolved.lexically_normal();
 }
@@ -53,16 +55,32 @@ void refuse_equal_outputs(std::span<const FileOption> options) {
   }
 }
 
+void refuse_links_in_folders(std::span<const FileOption> options) {
+  std::error_code error;
+  for (const FileOption& option : options) {
+    if (option.use != FileOption::Use::output || !option.is_folder) continue;
+    for (const std::string& path : option.paths()) {
+      if (!std::filesystem::is_symlink(std::filesystem::symlink_status(path, error))) continue;
+      throw Failure(ExitCode::wrong_call,
+                    fmt::format("{}: {} is a link, and would lead what is written there to another file; remove it, "
+                                "or name another folder",
+                                option.name, quoted_text(path, longest_path)));
+    }
+  }
+}
+
 }  // namespace
 
 CLI::Option* FileOptions::add(FileOption::Use use, CLI::Option* option, const FilesOf& files) {
-  list_.push_back({use, option, option->get_name(), [option, files] {
+  list_.push_back({use, option, option->get_name(),
+                   [option, files] {
                      if (!files) return option->results();
                      std::vector<std::string> paths;
                      for (const std::string& word : option->results())
                        std::ranges::copy(files(word), std::back_inserter(paths));
                      return paths;
-                   }});
+                   },
+                   use == FileOption::Use::output && files != nullptr});
   return option;
 }
 
@@ -100,6 +118,7 @@ void refuse_to_overwrite(std::span<const FileOption> options) {
                       quoted_text(path, longest_path), quoted_text(input->path, longest_path), input->option));
     }
   }
+  refuse_links_in_folders(options);
   if (fstat(STDOUT_FILENO, &status) != 0 || !S_ISREG(status.st_mode)) return;
   if (const auto input = input_at(); input != inputs.end()) {
     throw Failure(ExitCode::wrong_call,

@@ -22,6 +22,7 @@ struct FileOption {
   const CLI::Option* option;
   std::string name;  // of the option, for messages
   std::function<std::vector<std::string>()> paths;
+  bool is_folder;  // an output's value is a folder, and these are files in it
 };
 
 // The options of one command that name files, in the order in which they were added.
@@ -30,7 +31,8 @@ class FileOptions {
   // The files that a word on the command line means.
   using FilesOf = std::function<std::vector<std::string>(const std::string& word)>;
 
-  // The option's value is the path of a file, or means files, that the command reads, or writes.
+  // The option's value is the path of a file, or means files, that the command reads. Or writes: then it is a folder
+  // for them.
   CLI::Option* reads(CLI::Option* option, FilesOf files = nullptr) {
     return add(FileOption::Use::input, option, files);
   }
@@ -50,7 +52,8 @@ class FileOptions {
 FileOptions::FilesOf path_unless_one_of(std::vector<std::string_view> shipped);
 
 // The standard output counts as an output of every command. Throws Failure(wrong_call) where an output is a plain file
-// that is an input or another output too.
+// that is an input or another output too, and where a file in a folder for outputs is a link: it would lead to a place
+// that nobody has named.
 void refuse_to_overwrite(std::span<const FileOption> options);
 
 }  // namespace ghostforce

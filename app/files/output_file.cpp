@@ -41,7 +41,8 @@ bool is_file(int descriptor) {
   return fstat(descriptor, &status) != 0 || S_ISREG(status.st_mode);
 }
 
-// Where a chain of links ends, whether or not anything is there yet.
+}  // namespace
+
 std::filesystem::path end_of_links(std::filesystem::path path) {
   constexpr int longest_chain = 40;  // as Linux has it
   std::error_code no_link;
@@ -52,8 +53,6 @@ std::filesystem::path end_of_links(std::filesystem::path path) {
   }
   return path;
 }
-
-}  // namespace
 
 std::string reason_of(int error) {
   const std::string reason = std::generic_category().message(error);

@@ -79,6 +79,9 @@ class OutputFile {
   bool is_in_place_ = false;  // and not kept yet
 };
 
+// Where a chain of links ends, whether or not anything is there yet.
+std::filesystem::path end_of_links(std::filesystem::path path);
+
 // Words for people about a file that cannot be read or written: errno as a reason, and what to do about it.
 std::string reason_of(int error);
 

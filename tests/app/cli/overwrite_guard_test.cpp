@@ -99,6 +99,26 @@ TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
   expect_refused("check . --report report", "a.toml");
 }
 
+// What a case shows is read, too; and a link that leads nowhere yet leads two outputs to one file.
+TEST_F(OwnInputs, AreNotReachedByLinksInAFolderForOutputs) {
+  fs::create_directory(folder_ / "cases");
+  fs::create_directory(folder_ / "report");
+  write_whole(folder_ / "cases/a.toml", "scene = \"../scene.toml\"\nsize = [320, 240]\n");
+  for (const std::string_view name : {"report.html", "junit.xml", "a.actual.png"}) {
+    fs::create_symlink("../scene.toml", folder_ / fmt::format("report/{}", name));
+    const std::string before = read_whole(folder_ / "scene.toml");
+    const Outcome outcome = in_folder("check cases --report report");
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(" is a link"), std::string::npos) << outcome.err;
+    EXPECT_EQ(read_whole(folder_ / "scene.toml"), before);
+    fs::remove(folder_ / fmt::format("report/{}", name));
+  }
+  fs::create_symlink("figure-1.csv", folder_ / "figure-1.pdf");
+  const Outcome outcome = in_folder("figures --only figure-1 -o .");
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "figure-1.csv"));
+}
+
 // Its cases and their goldens are read, and nothing else.
 TEST_F(OwnInputs, OfACheckAreItsCasesAndGoldens) {
   fs::create_directory(folder_ / "cases");
