@@ -139,6 +139,18 @@ void refuse_report_among_cases(const CheckOptions& options) {
                                                   quoted_text(options.report, longest_path)));
 }
 
+// The report's pictures are named after their cases.
+void refuse_names_too_long_for_report(const CheckReport& report) {
+  constexpr std::size_t longest = 240;  // of the 255 bytes that a file's name may have
+  for (const Case* const each : report.cases) {
+    if (report.to_folder.empty() || each->name.size() <= longest) continue;
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: the name has {} bytes, and the pictures of a report have longer ones; choose one of "
+                              "{} bytes at most",
+                              quoted_text(each->path, longest_path), each->name.size(), longest));
+  }
+}
+
 void tell_of_failure(const Verdict& verdict) {
   say("{}: {}\n", quoted_text(verdict.name), verdict.reason);
   if (!verdict.remark.empty()) say("  {}\n", verdict.remark);
@@ -223,6 +235,7 @@ int check(const CheckOptions& options) {
   CheckReport report{
       .folder = options.folder, .to_folder = options.report, .cases = chosen_cases(cases, options.only, "--only")};
   refuse_report_among_cases(options);
+  refuse_names_too_long_for_report(report);
   std::optional<ReportFolder> to_folder;
   if (!options.report.empty()) to_folder.emplace(options.report);
 

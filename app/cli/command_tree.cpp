@@ -4,6 +4,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
@@ -40,6 +41,14 @@ constexpr std::size_t longest_line = 120;
 
 constexpr std::string_view examples_begin = "Examples:\n";
 
+// By name: CLI11 keeps them in whatever order they lie in memory.
+std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* const option : options) names.push_back("--" + option->get_lnames().front());
+  std::ranges::sort(names);
+  return names;
+}
+
 // As CLI11 writes help, but with our words, and no line longer than 120 characters.
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -47,12 +56,22 @@ class HelpFormatter : public CLI::Formatter {
     label("SUBCOMMAND", "COMMAND");
     label("Positionals", "Arguments");
     label("REQUIRED", "(required)");
-    label("Excludes", "not with");
-    label("Needs", "only with");
+  }
+
+  // Its name, its value and whether it must be there; which others it needs or excludes is the sentence's end.
+  std::string make_option_opts(const CLI::Option* option) const override {
+    if (option->get_type_size() == 0) return "";
+    return fmt::format(" {}{}", option->get_type_name(), option->get_required() ? " " + get_label("REQUIRED") : "");
   }
 
   std::string make_option_desc(const CLI::Option* option) const override {
-    return wrapped(Formatter::make_option_desc(option), longest_line - get_column_width());
+    std::string sentence = Formatter::make_option_desc(option);
+    const auto add = [&](std::string_view how, const std::set<CLI::Option*>& others) {
+      if (!others.empty()) sentence += fmt::format(". {} {}", how, fmt::join(sorted_names(others), ", "));
+    };
+    add("Only with", option->get_needs());
+    add("Not with", option->get_excludes());
+    return wrapped(sentence, longest_line - get_column_width());
   }
 };
 
@@ -145,14 +164,6 @@ ManualPaths paths_of(const CLI::Option& option, const ManualOption& described, c
     return ManualPaths::none;
   }
   return described.words.empty() ? ManualPaths::any : ManualPaths::toml;
-}
-
-// By name: CLI11 keeps them in whatever order they lie in memory.
-std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
-  std::vector<std::string> names;
-  for (const CLI::Option* const option : options) names.push_back("--" + option->get_lnames().front());
-  std::ranges::sort(names);
-  return names;
 }
 
 ManualOption describe(CLI::Option& option, const FileOptions* files_named) {

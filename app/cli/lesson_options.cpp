@@ -1,5 +1,6 @@
 #include "app/cli/lesson_options.h"
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -40,6 +41,29 @@ void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_vi
           ->check(suggests(shipped_lesson_names())),
       path_unless_one_of(shipped_lesson_names()));
   attach_language(command, language, usual_language);
+}
+
+namespace {
+
+constexpr std::string_view lesson_says = "the lesson says what is on the stage";
+constexpr std::array beside_lesson{
+    Contradiction{"SCENE", "", lesson_says},
+    Contradiction{"--set", "", lesson_says},
+    Contradiction{"--goal-mm", "", lesson_says},
+    Contradiction{"--strategy", "", lesson_says},
+    Contradiction{"--mode", "", lesson_says},
+    Contradiction{"--landscape", "", lesson_says},
+    Contradiction{"--view", face_name(Face::workbench), "lessons are on the stage"},
+    Contradiction{"--compare", "", "the stage shows one strategy at a time"},
+    Contradiction{"--part", "", "a step is shown whole"},
+    Contradiction{"--at", "", "a step is shown when the hand is at rest"},
+    Contradiction{"--clip", "", "a step is one picture"},
+};
+
+}  // namespace
+
+void LessonOptions::refuse_contradictions(const CLI::App& command) const {
+  if (!name.empty()) ghostforce::refuse_contradictions(command, "--lesson", beside_lesson);
 }
 
 std::string LessonOptions::wanted(const std::string& kept, const std::shared_ptr<const Lesson>& lesson) const {

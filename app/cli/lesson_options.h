@@ -24,6 +24,8 @@ struct LessonOptions {
   std::string language;  // empty: that of an earlier run, else the environment's
 
   void attach(CLI::App& command, FileOptions& files, std::string_view usual_language);
+  // Throws Failure(wrong_call) where --lesson stands beside an option of `command` that it contradicts.
+  void refuse_contradictions(const CLI::App& command) const;
   // Null: none was asked for. Throws ReadError.
   std::shared_ptr<const Lesson> load() const;
   // As language_wanted(); `lesson`: as it was loaded.

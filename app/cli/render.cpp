@@ -30,20 +30,6 @@
 namespace ghostforce {
 namespace {
 
-constexpr std::string_view step_says = "the step says what is on the stage";
-constexpr std::array beside_lesson{
-    Contradiction{"SCENE", "", step_says},
-    Contradiction{"--set", "", step_says},
-    Contradiction{"--strategy", "", step_says},
-    Contradiction{"--mode", "", step_says},
-    Contradiction{"--landscape", "", step_says},
-    Contradiction{"--view", face_name(Face::workbench), "lessons are on the stage"},
-    Contradiction{"--compare", "", "the stage shows one strategy at a time"},
-    Contradiction{"--part", "", "a step is shown whole"},
-    Contradiction{"--at", "", "a step is shown when the hand is at rest"},
-    Contradiction{"--clip", "", "a step is one picture"},
-};
-
 struct RenderOptions {
   SceneOptions scene;
   PictureOptions picture;
@@ -253,7 +239,7 @@ std::function<int()> attach_render(CLI::App& command, FileOptions& files) {
   // Lessons bring their own.
   options->scene.option->default_str("");
   return [options, &command] {
-    if (!options->lesson.name.empty()) refuse_contradictions(command, "--lesson", beside_lesson);
+    options->lesson.refuse_contradictions(command);
     if (!options->scene.is_named() && options->lesson.name.empty()) {
       throw Failure(ExitCode::wrong_call, "SCENE is required: name a scene, as in 'ghostforce render wall45 -o F.png'");
     }

@@ -121,6 +121,14 @@ void refuse_goal_of_other_hand(const RunOptions& options) {
                   quoted_text(options.input, longest_path)));
 }
 
+void refuse_misbehaviour_of_others(const RunOptions& options) {
+  if (options.falcon.misbehave.empty() || options.input == virtual_falcon_kind.name) return;
+  throw Failure(
+      ExitCode::wrong_call,
+      fmt::format("--misbehave is about the virtual Falcon, but --input is {}; add --input {}, or leave it out",
+                  quoted_text(options.input, longest_path), virtual_falcon_kind.name));
+}
+
 // The hand of another file is not in the list of what the person did.
 void refuse_session_of_other_hand(const RunOptions& options) {
   if (!options.record_session || !options.input.starts_with(replay_begins())) return;
@@ -152,6 +160,7 @@ int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
+  refuse_misbehaviour_of_others(options);
   const std::shared_ptr<const Lesson> lesson = options.lesson.load();
   const bool is_kiosk = options.kiosk.is_on;
   StoredPreferences stored = is_kiosk ? for_visitors(load_preferences()) : load_preferences();
@@ -338,7 +347,10 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
              "Load the shaders from this folder, and reload them whenever one changes");
   add_option(command, "--exit-after S", options->exit_after_s, "Close the window after this many seconds")
       ->check(number_between(0.0, longest_s, "s"));
-  return [options] { return run(*options); };
+  return [options, &command] {
+    options->lesson.refuse_contradictions(command);
+    return run(*options);
+  };
 }
 
 }  // namespace ghostforce

@@ -116,7 +116,7 @@ std::vector<PixelBox> read_mask(const TomlValue& mask, int width, int height) {
   std::vector<PixelBox> boxes;
   for (std::size_t i = 0; i < count; ++i) {
     const auto numbers = mask[i].numbers<4>({.least = 0.0, .greatest = largest_picture, .whole = true}, need);
-    if (!numbers) continue;
+    if (!numbers) return {};  // one mistake, and one line about it
     const auto [x, y, box_width, box_height] = *numbers;
     if (box_width == 0.0 || box_height == 0.0) {
       mask[i].refuse("a rectangle has no pixels", "give a width and a height of 1 or more");

@@ -412,16 +412,6 @@ TEST(EquilibriumCommand, TableIsForPeople) {
             "proxy drift mm            (0.000, 0.000)      (-33.278, -33.278)          (0.000, 0.000)\n");
 }
 
-TEST(Simulate, SaysSoWhereTheLoopRunsAwayAndWritesNothing) {
-  const TemporaryFolder folder;
-  const Outcome outcome =
-      run_program(ghostforce_program(), {"simulate", "wall45", "--strategy", "all", "-o", folder / "run.csv", "--set",
-                                         "rendering.k_r_N_per_m=1e6", "--set", "device.mass_kg=0.001"});
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("unstable"), std::string::npos) << outcome.err;
-  EXPECT_EQ(folder.count(), 0);
-}
-
 TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
   expect_refused({"run", "--view", "bench"}, "is not one of stage, workbench");
   expect_refused({"run", "--mode", "lanscape"}, "did you mean 'landscape'?");
@@ -429,6 +419,9 @@ TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
   expect_refused({"run", "--goal-mm=5"}, "--goal-mm 5: not a position");
   expect_refused({"run", "--goal-mm=5,nan"}, "--goal-mm");
   expect_refused({"run", "--goal-mm=5,5", "--input", "script"}, "--goal-mm places your own hand");
+  expect_refused({"run", "wall45", "--lesson", "ghost"}, "--lesson and SCENE contradict each other");
+  expect_refused({"run", "--lesson", "ghost", "--view", "workbench"}, "lessons are on the stage");
+  expect_refused({"run", "--misbehave", "silence"}, "--misbehave is about the virtual Falcon");
 }
 
 TEST(Run, RefusesATimeThatIsNoNumber) {

@@ -262,7 +262,8 @@ TEST_P(Stage, LeavesOutTheLessImportantWords) {
   }
   for (const auto& [role, both] : count) fmt::print("{}: {} of {}\n", role_name(role), both[1], both[0]);
   const auto share = [&](Role role) { return static_cast<double>(count[role][1]) / count[role][0]; };
-  EXPECT_GE(share(Role::ghost_force), 0.94);  // its number stands at the upper left
+  // Its number stands at the upper left. In two lines the Spanish words are as wide as "fantasma", and fit less often.
+  EXPECT_GE(share(Role::ghost_force), GetParam() == &english_stage ? 0.97 : 0.94);
   EXPECT_GE(share(Role::proxy_drift), 0.95);
   EXPECT_GE(share(Role::device), 0.95);
   EXPECT_GE(share(Role::wall_share), 0.9);

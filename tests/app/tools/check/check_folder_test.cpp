@@ -339,6 +339,14 @@ TEST(Check, NamesASceneAsThePersonWroteIt) {
   }
 }
 
+TEST(Check, RefusesANameThatAReportCannotAddTo) {
+  const Cases cases(std::map<std::string, std::string>{{std::string(245, 'a'), std::string(small_case)}});
+  const Outcome outcome = cases.check({"--report", cases.beside("report")});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_TRUE(contains(outcome.err, "the name has 245 bytes"));
+  EXPECT_FALSE(fs::exists(cases.beside("report")));
+}
+
 TEST(Check, NamesTheCaseWhoseLoopIsUnstable) {
   const Cases cases(
       {{"good", std::string(small_case)},
