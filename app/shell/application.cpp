@@ -18,8 +18,8 @@
 #include "app/state/target.h"
 #include "app/state/undo.h"
 #include "app/state/user_measurement_guide.h"
-#include "core/simulate.h"
 #include "core/divergence.h"
+#include "core/simulate.h"
 
 namespace ghostforce {
 namespace {
@@ -308,8 +308,13 @@ void Application::hear(const Action& action) {
 
 void Application::act(const Action& action) {
   Action whole = action;
-  if (auto* const paste = std::get_if<PasteSetUp>(&whole); paste != nullptr && paste->line.empty() && !is_replay_)
-    paste->line = window_.clipboard_text();
+  if (auto* const paste = std::get_if<PasteSetUp>(&whole); paste != nullptr && paste->line.empty() && !is_replay_) {
+    try {
+      paste->line = window_.clipboard_text();
+    } catch (const Failure& failure) {
+      return show_notice(failure.what(), true);
+    }
+  }
   if (watch_actions_) watch_actions_(clock_s_, whole);
   apply_now(whole);
 }

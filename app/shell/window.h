@@ -81,7 +81,7 @@ class Window {
 
   // For other programs to paste.
   virtual void set_clipboard_text(const std::string& text) = 0;
-  // Empty where there is none.
+  // Empty where there is none. Throws Failure where the program that owns it does not give it.
   virtual std::string clipboard_text() const = 0;
   // The desktop that a tool of the system would have to speak to.
   virtual DisplayKind display_kind() const = 0;

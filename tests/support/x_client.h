@@ -1,4 +1,5 @@
-// XClient: another program on a display, as far as a test needs one: it makes and destroys windows, and takes the keyboard.
+// XClient: another program on a display, as far as a test needs one: it makes and destroys windows,
+// takes the keyboard, and owns the clipboard.
 #pragma once
 
 #include <xcb/xcb.h>
@@ -54,6 +55,40 @@ class XClient {
     xcb_ungrab_keyboard(connection_.get(), XCB_CURRENT_TIME);
     wait();
   }
+  // Owns it from now on, and answers nobody: as a program that is frozen.
+  void own(const std::string& selection) {
+    xcb_set_selection_owner(connection_.get(), make_window(), atom(selection), XCB_CURRENT_TIME);
+    wait();
+  }
+  // The next request of another client for it: is answered with this text.
+  void answer_with(const std::string& text) {
+    for (;;) {
+      const std::unique_ptr<xcb_generic_event_t, decltype(&std::free)> event(xcb_wait_for_event(connection_.get()),
+                                                                             std::free);
+      if (!event) throw std::runtime_error("the display has gone");
+      if (event->response_type != XCB_SELECTION_REQUEST) continue;
+      const auto& request = reinterpret_cast<const xcb_selection_request_event_t&>(*event);
+      xcb_change_property(connection_.get(), XCB_PROP_MODE_REPLACE, request.requestor, request.property, request.target,
+                          8, static_cast<std::uint32_t>(text.size()), text.data());
+      std::array<char, 32> bytes{};
+      xcb_selection_notify_event_t answer{};
+      answer.response_type = XCB_SELECTION_NOTIFY;
+      answer.requestor = request.requestor;
+      answer.selection = request.selection;
+      answer.target = request.target;
+      answer.property = request.property;
+      std::memcpy(bytes.data(), &answer, sizeof answer);
+      xcb_send_event(connection_.get(), 0, request.requestor, 0, bytes.data());
+      return wait();
+    }
+  }
+  bool is_owned(const std::string& selection) {
+    const std::unique_ptr<xcb_get_selection_owner_reply_t, decltype(&std::free)> reply(
+        xcb_get_selection_owner_reply(connection_.get(), xcb_get_selection_owner(connection_.get(), atom(selection)),
+                                      nullptr),
+        std::free);
+    return reply && reply->owner != XCB_WINDOW_NONE;
+  }
   // Tells others of the window of something that never was.
   void make_up(std::uint8_t type, std::uint32_t window) {
     std::array<char, 32> event{};  // as long as all of them
@@ -74,6 +109,14 @@ class XClient {
   }
 
  private:
+  xcb_atom_t atom(const std::string& name) {
+    const std::unique_ptr<xcb_intern_atom_reply_t, decltype(&std::free)> reply(
+        xcb_intern_atom_reply(
+            connection_.get(),
+            xcb_intern_atom(connection_.get(), 0, static_cast<std::uint16_t>(name.size()), name.data()), nullptr),
+        std::free);
+    return reply ? reply->atom : xcb_atom_t{XCB_ATOM_NONE};
+  }
   // Until the server has done what was asked.
   void wait() {
     std::free(xcb_get_input_focus_reply(connection_.get(), xcb_get_input_focus(connection_.get()), nullptr));

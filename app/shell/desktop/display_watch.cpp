@@ -18,7 +18,6 @@
 #include <pthread.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
-#include <xcb/xcb.h>
 
 #include "app/base/failure.h"
 #include "app/base/words.h"
@@ -26,20 +25,6 @@
 #include "device/servo/realtime.h"
 
 namespace ghostforce {
-namespace {
-
-// libxcb gives away what malloc() made.
-struct Free {
-  void operator()(void* memory) const noexcept { std::free(memory); }
-};
-template <typename Type>
-using Given = std::unique_ptr<Type, Free>;
-
-}  // namespace
-
-void DisplayWatch::Disconnect::operator()(xcb_connection_t* connection) const noexcept {
-  xcb_disconnect(connection);
-}
 
 DisplayWatch::DisplayWatch(std::uint32_t window, void (*when_lost)() noexcept)
     : window_(window),
@@ -53,7 +38,7 @@ DisplayWatch::DisplayWatch(std::uint32_t window, void (*when_lost)() noexcept)
   }
   const std::uint32_t events = XCB_EVENT_MASK_FOCUS_CHANGE | XCB_EVENT_MASK_STRUCTURE_NOTIFY;
   const auto request = xcb_change_window_attributes_checked(connection_.get(), window, XCB_CW_EVENT_MASK, &events);
-  if (const Given<xcb_generic_error_t> error(xcb_request_check(connection_.get(), request)); error) {
+  if (const FromXcb<xcb_generic_error_t> error(xcb_request_check(connection_.get(), request)); error) {
     throw Failure(ExitCode::no_display, "the window was closed by another program while it was opened");
   }
   thread_ = std::thread([this] { watch(); });
@@ -84,7 +69,7 @@ void DisplayWatch::watch() noexcept {
 // Where our window has the focus, a grab takes it away from the keyboard's point of view, and its end gives it back. A
 // window that gets the focus while the keyboard is grabbed is told so.
 void DisplayWatch::take_events() noexcept {
-  while (const Given<xcb_generic_event_t> event{xcb_poll_for_event(connection_.get())}) {
+  while (const FromXcb<xcb_generic_event_t> event{xcb_poll_for_event(connection_.get())}) {
     const auto* const focus = reinterpret_cast<const xcb_focus_in_event_t*>(event.get());  // focus out is alike
     const auto* const destroyed = reinterpret_cast<const xcb_destroy_notify_event_t*>(event.get());
     switch (event->response_type) {  // what another client makes up has one bit more
@@ -105,9 +90,9 @@ void DisplayWatch::take_events() noexcept {
 }
 
 bool DisplayWatch::window_exists(std::uint32_t window) noexcept {
-  const std::unique_ptr<xcb_connection_t, Disconnect> connection(xcb_connect(nullptr, nullptr));
+  const XcbConnection connection(xcb_connect(nullptr, nullptr));
   const auto request = xcb_get_window_attributes(connection.get(), window);
-  return Given<xcb_get_window_attributes_reply_t>(
+  return FromXcb<xcb_get_window_attributes_reply_t>(
              xcb_get_window_attributes_reply(connection.get(), request, nullptr)) != nullptr;
 }
 

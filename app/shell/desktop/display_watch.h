@@ -5,12 +5,10 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <thread>
 
 #include "app/files/descriptor.h"
-
-struct xcb_connection_t;
+#include "app/shell/desktop/xcb_connection.h"
 
 namespace ghostforce {
 
@@ -39,16 +37,12 @@ class DisplayWatch {
   static bool window_exists(std::uint32_t window) noexcept;
 
  private:
-  struct Disconnect {
-    void operator()(xcb_connection_t* connection) const noexcept;
-  };
-
   void watch() noexcept;
   void take_events() noexcept;
 
   std::uint32_t window_;
   void (*when_lost_)() noexcept;
-  std::unique_ptr<xcb_connection_t, Disconnect> connection_;
+  XcbConnection connection_;
   Descriptor end_;  // something to read: the thread is to end
   std::atomic<bool> keyboard_is_taken_{false};
   std::atomic<DisplayLoss> loss_{DisplayLoss::none};

@@ -44,6 +44,21 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::ope
   ImGui_ImplGlfw_InitForOpenGL(handle(), true);
   glfwSetKeyCallback(handle(), on_key);  // in place of ImGui's: it gets what is handed on
   glfwSetCharCallback(handle(), on_character);
+  if (glfwGetPlatform() == GLFW_PLATFORM_X11) x11_clipboard_.emplace();
+  ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
+  platform.Platform_ClipboardUserData = this;
+  platform.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
+    static_cast<GlfwWindow*>(ImGui::GetPlatformIO().Platform_ClipboardUserData)->set_clipboard_text(text);
+  };
+  platform.Platform_GetClipboardTextFn = [](ImGuiContext*) -> const char* {
+    auto* const window = static_cast<GlfwWindow*>(ImGui::GetPlatformIO().Platform_ClipboardUserData);
+    try {
+      window->pasted_ = window->clipboard_text();
+    } catch (const Failure&) {
+      return nullptr;  // nothing is pasted into the field
+    }
+    return window->pasted_.c_str();
+  };
 }
 
 GlfwWindow::~GlfwWindow() {
@@ -267,10 +282,12 @@ std::string GlfwWindow::portal_name() const {
 }
 
 void GlfwWindow::set_clipboard_text(const std::string& text) {
+  if (x11_clipboard_) return x11_clipboard_->copy(handle(), text);
   glfwSetClipboardString(handle(), text.c_str());
 }
 
 std::string GlfwWindow::clipboard_text() const {
+  if (x11_clipboard_) return x11_clipboard_->text();
   const char* const text = glfwGetClipboardString(handle());
   return text == nullptr ? "" : text;
 }

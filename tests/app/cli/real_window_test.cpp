@@ -10,6 +10,7 @@
 #include "tests/support/display.h"
 #include "tests/support/places.h"
 #include "tests/support/program.h"
+#include "tests/support/x_client.h"
 
 namespace ghostforce::real_window_test {
 namespace {
@@ -222,6 +223,23 @@ TEST(RealWindow, ClosesByItselfWhenAsked) {
   EXPECT_TRUE(
       display.becomes([&](const Image& image) { return at(image, 200, 300) == background || !program.is_running(); }));
   EXPECT_EQ(program.end(0), 0);
+}
+
+// Whoever owns the clipboard, and whoever would keep it, is frozen.
+TEST(RealWindow, EndsWhereTheClipboardAnswersNobody) {
+  const Display display(1280, 800);
+  XClient frozen(display.environment().front().substr(std::string("DISPLAY=").size()));
+  frozen.own("CLIPBOARD");
+  frozen.own("CLIPBOARD_MANAGER");
+  BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }));
+  display.act({"key", "ctrl+v"});
+  display.act({"key", "3"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  display.act({"key", "ctrl+c"});
+  display.act({"key", "1"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::full); }));
+  EXPECT_EQ(program.end(SIGTERM), 130);
 }
 
 }  // namespace
