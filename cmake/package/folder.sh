@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # bash folder.sh TREE: makes ghostforce-VERSION-MACHINE.tar.zst in the build tree: a folder that can be unpacked anywhere,
-# with the libraries that a plain desktop may lack. Called by ./package.
+# with the libraries that a plain desktop, or a server without one, may lack. Called by ./package.
 #
-# The system's C and C++ libraries, graphics and windows are never in it: drivers belong to the machine. Of the others,
+# The system's C and C++ libraries and its graphics are never in it: drivers belong to the machine. Of the others,
 # those with a C++ interface are ours, because only the very version fits; of those with a C interface the system's goes
 # first, because what the desktop itself loads into the program (GTK for a window's frame) fits its own, and because
 # it is kept secure; ours, in lib/fallback, stand in for what is missing.
@@ -29,7 +29,7 @@ while read -r library path; do
   case $library in
     libfmt.* | libtomlplusplus.*) place=lib ;;
     libc.* | libm.* | libpthread.* | libgcc_s.* | libstdc++.* | libz.*) continue ;;
-    libX* | libxcb.* | libbsd.* | libmd.* | libudev.*) continue ;;
+    libudev.*) continue ;;
     *) place=lib/fallback ;;
   esac
   install -m 644 -t "$folder/$place" "$path"
