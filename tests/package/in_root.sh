@@ -11,13 +11,13 @@ made=("$root"/build/package/ghostforce_*.deb "$root"/build/package/ghostforce-*.
 deb=${made[0]} archive=${made[1]}
 trial=$root/build/roots/trial
 
-# fresh SUITE: $trial becomes a bare system of it.
+# fresh SUITE PACKAGE...: $trial becomes a bare system of it, with these packages.
 fresh() {
   make_debian_root "$root/build/roots/$1" "$1" --variant=apt
   "${as_root[@]}" rm -rf --one-file-system "$trial"
   "${as_root[@]}" cp --archive --reflink=auto "$root/build/roots/$1" "$trial"
   apt_there update
-  apt_there install mount passwd xvfb xauth  # what the trials themselves need
+  apt_there install mount passwd "${@:2}"
   in_trial useradd --create-home visitor
 }
 
@@ -31,6 +31,15 @@ place=
 as_visitor() {
   in_trial bash -euc 'if [[ $0 ]]; then mount --bind "$0" "$0"; mount -o remount,bind,ro "$0"; fi
     cd /home/visitor; exec runuser --user visitor -- "$@"' "$place" "$@"
+}
+
+# unpack PLACE: the folder of programs there.
+unpack() {
+  place=$1
+  "${as_root[@]}" mkdir -p "$trial$place"
+  "${as_root[@]}" tar --extract --directory "$trial$place" --file "$archive"
+  if as_visitor touch "$place/x" 2>/dev/null; then fail "$place can be written to."; fi
+  program=$place/$(basename "$archive" .tar.zst)/bin/ghostforce
 }
 
 # try_out PROGRAM: the same for either way to install it.
@@ -51,7 +60,7 @@ files() {
 }
 
 begin "the package in a bare Debian 12"
-fresh bookworm
+fresh bookworm xvfb xauth
 before=$(files)
 "${as_root[@]}" cp "$deb" "$trial/tmp/"
 apt_there install "/tmp/$(basename "$deb")"
@@ -63,14 +72,21 @@ end
 
 for suite in bookworm trixie; do
   begin "the folder in $suite, in a path with a space, read-only"
-  fresh "$suite"
   mapfile -t desktop < <(packages_of run)
-  apt_there install "${desktop[@]}"
-  place="/opt/my programs"
-  "${as_root[@]}" mkdir -p "$trial$place"
-  "${as_root[@]}" tar --extract --directory "$trial$place" --file "$archive"
-  if as_visitor touch "$place/x" 2>/dev/null; then fail "$place can be written to."; fi
-  try_out "$place/$(basename "$archive" .tar.zst)/bin/ghostforce"
+  fresh "$suite" xvfb xauth "${desktop[@]}"
+  unpack "/opt/my programs"
+  try_out "$program"
   end
 done
+
+begin "the folder on a server without a desktop"
+fresh bookworm libosmesa6
+unpack /opt/ghostforce
+as_visitor "$program" simulate wall45 -o run.csv
+as_visitor "$program" render wall45 -o x.png
+as_visitor test -s x.png
+# What it says of the display that it cannot find is its own, not the loader's.
+words=$(as_visitor "$program" run 2>&1) && fail "run has found a display."
+grep "there is no display to open a window on" <<<"$words" || fail "run says: $words"
+end
 "${as_root[@]}" rm -rf --one-file-system "$trial"

@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
+#include <latch>
 #include <string_view>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -188,9 +192,24 @@ bool is_room_for(std::size_t size) {
   return true;
 }
 
+// Whether this user may start so many at a time (ulimit -u).
+bool may_start_threads(int count) {
+  std::latch end(1);
+  std::vector<std::jthread> threads;
+  bool is_allowed = true;
+  try {
+    for (int i = 0; i < count; ++i) threads.emplace_back([&end] { end.wait(); });
+  } catch (const std::system_error&) {
+    is_allowed = false;
+  }
+  end.count_down();
+  return is_allowed;
+}
+
 void choose_threads(std::size_t needed) {
   const int threads = thread_count();
-  if (!is_room_for(needed + each_thread * static_cast<std::size_t>(threads + other_threads))) {
+  if (!is_room_for(needed + each_thread * static_cast<std::size_t>(threads + other_threads)) ||
+      !may_start_threads(threads + other_threads)) {
     setenv("LP_NUM_THREADS", "0", 1);
     mallopt(M_ARENA_MAX, 1);  // one heap for the threads that are left
   } else if (threads == 1) {

@@ -70,7 +70,7 @@ class OpenGlWindow {
 
 // Before OpenGL is loaded, for a window of that size [px]: its libraries crash or hang where a limit of the process
 // (ulimit -v) leaves them too little memory, so it is asked for beforehand. Where there is room for it only without
-// threads of the software renderer, that gets none, and draws the same more slowly. Throws Failure(file_trouble) where
+// threads of the software renderer, or none may be started (ulimit -u), that gets none, and draws the same more slowly. Throws Failure(file_trouble) where
 // there is no room, whose words end in what else the person can do, the `remedy`.
 void make_room_for_drawing(int width, int height, std::string_view remedy);
 

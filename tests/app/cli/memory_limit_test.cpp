@@ -1,4 +1,7 @@
-// Where the program may not have the memory it needs it says so, and neither crashes nor takes that for a bug.
+// Where the program may not have the memory or the threads it needs it says so or does without, and neither crashes,
+// hangs nor takes that for a bug.
+#include <unistd.h>
+
 #include <string>
 #include <vector>
 
@@ -72,6 +75,20 @@ TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
       EXPECT_EQ(outcome.err.find("bug"), std::string::npos) << outcome.err;
     }
   }
+}
+
+// Of root's processes nobody counts how many there are.
+TEST_F(MemoryLimit, APictureIsDrawnWhereNoThreadMayBeStarted) {
+  const std::string as_another = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+  const auto run_as_another = [&](const std::string& first, std::vector<std::string> words) {
+    words.insert(words.begin(),
+                 {"-c", as_another + "/bin/sh -c '" + first + "exec \"$@\"' sh \"$@\"", "sh", ghostforce_program()});
+    return run_program("/bin/sh", words);
+  };
+  if (run_as_another("", {"--version"}).exit_code != 0) GTEST_SKIP() << "only this user may start the program";
+  const Outcome outcome = run_as_another("ulimit -u 1; ", {"render", "wall45", "-o", "-"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(outcome.out.starts_with("\x89PNG")) << outcome.err;
 }
 
 }  // namespace
