@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/belief.h"
+#include "core/divergence.h"
 #include "core/proxy.h"
 #include "core/scene.h"
-#include "core/divergence.h"
 #include "core/tick.h"
 
 namespace ghostforce {
