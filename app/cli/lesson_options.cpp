@@ -76,21 +76,15 @@ std::shared_ptr<const Lesson> LessonOptions::load() const {
 
 namespace {
 
-constexpr std::string_view lessons_say = "the lessons say what is on the stage";
-
+// Visitors have lessons all the time.
 std::vector<Contradiction> beside_kiosk() {
-  std::vector<Contradiction> list{
-      Contradiction{"SCENE", "", lessons_say},
-      Contradiction{"--set", "", lessons_say},
-      Contradiction{"--goal-mm", "", lessons_say},
-      Contradiction{"--strategy", "", lessons_say},
-      Contradiction{"--mode", "", lessons_say},
-      Contradiction{"--view", face_name(Face::workbench), "visitors see the stage only"},
-      Contradiction{"--record", "", "nothing of a visit is stored"},
-      Contradiction{"--record-session", "", "nothing of a visit is stored"},
-      Contradiction{"--audience", "", "visitors see all that there is"},
-      Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
-  };
+  std::vector<Contradiction> list(beside_lesson.begin(), beside_lesson.end());
+  list.insert(list.end(), {
+                              Contradiction{"--record", "", "nothing of a visit is stored"},
+                              Contradiction{"--record-session", "", "nothing of a visit is stored"},
+                              Contradiction{"--audience", "", "visitors see all that there is"},
+                              Contradiction{"--shader-dir", "", "visitors must not see what is wrong with a shader"},
+                          });
   for (const InputChoice& hand : hands_moving_by_themselves) {
     list.push_back({"--input", hand.name, "visitors move the hand themselves"});
   }
