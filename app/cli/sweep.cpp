@@ -58,6 +58,7 @@ int sweep_command(const SweepOptions& options) {
   const Clock::time_point start = Clock::now();
   const std::size_t thread_count = sweep_threads();
   Spent spent;
+  std::int64_t unsettled = 0;
   bool is_whole = false;
   bool has_rows = false;
   {
@@ -67,6 +68,7 @@ int sweep_command(const SweepOptions& options) {
       if (!block.rows.empty() && !std::exchange(has_rows, true)) file.write(sweep_header(scene, grid, kind));
       file.write(block.rows);
       spent.writing += Clock::now() - before;
+      unsettled += block.unsettled;
       spent.computing += block.computing;
       spent.formatting += block.formatting;
       progress.at(block.points);
@@ -77,6 +79,10 @@ int sweep_command(const SweepOptions& options) {
     const Clock::time_point before = Clock::now();
     file.commit();
     spent.writing += Clock::now() - before;
+  }
+  if (unsettled > 0) {
+    say("in {} of the rows, settled is 0: with those settings the sampled loop is unstable or does not come to rest\n",
+        unsettled);
   }
   if (!is_whole) throw Failure(ExitCode::interrupted, "interrupted; the rows written so far are complete");
   if (!file.is_terminal() && isatty(STDERR_FILENO) != 0) tell(spent, thread_count, Clock::now() - start);

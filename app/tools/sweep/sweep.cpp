@@ -26,6 +26,7 @@ constexpr std::int64_t simulated_per_block = 32;
 struct Block {
   fmt::memory_buffer rows;
   std::int64_t points = 0;
+  std::int64_t unsettled = 0;
   bool is_whole = true;
   std::chrono::nanoseconds computing{0};
   std::chrono::nanoseconds formatting{0};
@@ -45,7 +46,10 @@ Block make_block(const SweepPlan& plan, std::int64_t first, std::int64_t count) 
   const std::vector<PointEquilibrium> equilibria = points.take(scene.goal);
   const Clock::time_point computed = Clock::now();
   for (std::int64_t i = 0; i < block.points; ++i) {
-    append_sweep_rows(block.rows, plan.grid, first + i, equilibria[static_cast<std::size_t>(i)], plan.kind);
+    const PointEquilibrium& rest = equilibria[static_cast<std::size_t>(i)];
+    append_sweep_rows(block.rows, plan.grid, first + i, rest, plan.kind);
+    if (plan.kind.simulated)
+      block.unsettled += std::ranges::count(rest.simulated, false, &std::optional<SimulatedEquilibrium>::has_value);
   }
   block.is_whole = block.points == count;
   block.computing = computed - start;
@@ -71,7 +75,7 @@ bool sweep(const SweepPlan& plan, std::size_t thread_count, const std::function<
       },
       [&](Block&& block) {
         swept += block.points;
-        take({{block.rows.data(), block.rows.size()}, swept, block.computing, block.formatting});
+        take({{block.rows.data(), block.rows.size()}, swept, block.unsettled, block.computing, block.formatting});
         return block.is_whole && !interrupted();
       });
   return swept == points;

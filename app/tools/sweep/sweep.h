@@ -22,6 +22,7 @@ namespace ghostforce {
 struct SweptBlock {
   std::string_view rows;
   std::int64_t points = 0;                 // swept so far, these included
+  std::int64_t unsettled = 0;              // of these rows: their loop does not come to rest
   std::chrono::nanoseconds computing{0};   // the rests
   std::chrono::nanoseconds formatting{0};  // numbers to text
 };

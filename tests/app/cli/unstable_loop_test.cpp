@@ -97,6 +97,7 @@ TEST_F(UnstableLoop, IsNotSettledInASweep) {
   const Outcome outcome = run({"sweep", "wall45", "--over", "device.rate_hz=20:1000:2", "--at-rest", "simulated"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\n20,naive,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.err.find(" of the rows, settled is 0"), std::string::npos) << outcome.err;
   EXPECT_EQ(outcome.out.find("inf"), std::string::npos) << outcome.out;
   EXPECT_EQ(outcome.out.find("nan"), std::string::npos) << outcome.out;
 }
