@@ -74,7 +74,7 @@ void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& 
 
 void Screen::show_to(std::unique_ptr<AudienceWindow> audience) {
   audience_.reset();
-  if (audience) audience_.emplace(std::move(audience));
+  if (audience) audience_ = std::make_unique<Audience>(Audience{std::move(audience)});
 }
 
 void Screen::prepare_for_audience(const Session& session, const ShownMoment& moment, const History& history,

@@ -112,7 +112,7 @@ class Screen {
   Workbench workbench_;
   Hints hints_;
   StageFace stage_;
-  std::optional<Audience> audience_;  // empty: there is none
+  std::unique_ptr<Audience> audience_;  // null: there is none
   Appearance styled_appearance_{.theme = nullptr};
   double scale_ = 1.0;         // UI scale, with the display's
   float styled_scale_ = 0.0F;  // of Dear ImGui; over the stage it grows with the window
