@@ -118,8 +118,8 @@ Csv swept(std::vector<std::string> words) {
     const auto settled = row.fields.find("settled");
     return settled != row.fields.end() && settled->second == "0";
   });
-  const std::string words = "in " + std::to_string(unsettled) + " of the rows, settled is 0";
-  EXPECT_TRUE(unsettled == 0 ? outcome.err.empty() : outcome.err.starts_with(words)) << outcome.err;
+  const std::string told = "in " + std::to_string(unsettled) + " of the rows, settled is 0";
+  EXPECT_TRUE(unsettled == 0 ? outcome.err.empty() : outcome.err.starts_with(told)) << outcome.err;
   return csv;
 }
 
