@@ -6,6 +6,7 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
+#include "app/picture/workspace_layer.h"
 #include "app/stage/landscape_contours.h"
 #include "app/stage/landscape_layers.h"
 
@@ -39,6 +40,21 @@ void find_contours(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(contours_of(landscape));
 }
 BENCHMARK(find_contours)->Name("contours")->Unit(benchmark::kMillisecond);
+
+// Of a device with joints: 160×100 places of its handle.
+void map_workspace(benchmark::State& state, const char* scene) {
+  const Scene shown = load_scene(scene);
+  const WorkspaceMap map = workspace_map(shown.settings, shown.goal.points.back());
+  const Camera seen{{-0.15, -0.15}, 240.0, {160.0, 100.0}};
+  Marks marks;
+  for (auto _ : state) {
+    marks.clear();
+    add_workspace_cells(map, seen, {Vector<2>(0.0), seen.size}, seen, 1.0, *find_theme("light"), marks);
+    benchmark::DoNotOptimize(marks.data());
+  }
+}
+BENCHMARK_CAPTURE(map_workspace, arm, "arm")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(map_workspace, pantograph, "pantograph")->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace ghostforce

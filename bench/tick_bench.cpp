@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 #include <glm/geometric.hpp>
 
+#include "bench/general_tick.h"
 #include "bench/support/contest.h"
 #include "bench/support/report.h"
 #include "core/latest_value.h"
@@ -200,7 +201,7 @@ void log_and_publish(Report& report) {
   ServoReport newest;
   const Settings settings;
   LatestValue<ServoReport> reports{newest};
-  Ring<Sample, Servo::sample_capacity> samples;
+  Servo::SampleRing samples;
   std::uint64_t serial = 0;
   bool was_full = false;
   const auto tick_once = [&](std::int64_t k) {
@@ -215,7 +216,7 @@ void log_and_publish(Report& report) {
     }
     copy_whole(newest.snapshot, sample->snapshot);
     for (std::size_t i = 0; i < strategy_count; ++i) sample->velocity[i] = state.strategies[i].motion.velocity;
-    sample->settings = settings;
+    copy_settings(settings, sample->settings);
     sample->serial = serial++;
     sample->restarts = newest.restarts;
     sample->recording = 0;
@@ -361,6 +362,7 @@ int run(int argc, char** argv) {
   compare<3>(report);
   compare<4>(report);
   log_and_publish(report);
+  compare_general(report);
   measure_hand(report);
   publish(report);
   report.note(fmt::format(

@@ -62,6 +62,8 @@ if(EMSCRIPTEN)
 
   # stb: makes PNG files smaller, in place of zlib and libpng. A header. apt: libstb-dev.
 
+  # axe-core: looks for barriers in the page, in its tests alone. axe.sh fetches it.
+
   # QR codes, of the page's own address: qrcode-generator, JavaScript. apt: node-qrcode-generator.
   set(GHOSTFORCE_QR_CODE_SCRIPT /usr/share/nodejs/qrcode-generator/qrcode.js)
 else()

@@ -91,6 +91,13 @@ def emptied(value):
     return {key: emptied(each) for key, each in value.items()}
 
 
+def write(file, text):
+    """What would be the same stays as it is, so that nothing is compiled again for it."""
+    file = pathlib.Path(file)
+    if not file.exists() or file.read_text(encoding="utf-8") != text:
+        file.write_text(text, encoding="utf-8")
+
+
 def main(header, source, *files):
     left_out = None
     if files[0] == "--without":
@@ -103,17 +110,13 @@ def main(header, source, *files):
     declared = "".join(f"extern const StageLanguage {name};\n" for name in names)
     declared += f"// All of them, the model first.\nextern const std::array<const StageLanguage*, {len(names)}> stage_languages;\n"
     body = f"struct StageLanguage {{\n{members(languages[0])}}};\n\n{declared}"
-    pathlib.Path(header).write_text(
-        FRAME.format(top="#pragma once\n\n#include <array>\n#include <string_view>", body=body), encoding="utf-8"
-    )
+    write(header, FRAME.format(top="#pragma once\n\n#include <array>\n#include <string_view>", body=body))
     tables = "".join(
         f"constinit const StageLanguage {name} = {initializer(words)};\n" for name, words in zip(names, languages)
     )
     rows = ", ".join(f"&{name}" for name in names)
     tables += f"\nconstinit const std::array<const StageLanguage*, {len(names)}> stage_languages{{{rows}}};\n"
-    pathlib.Path(source).write_text(
-        FRAME.format(top=f'#include "{pathlib.Path(header).name}"', body=tables), encoding="utf-8"
-    )
+    write(source, FRAME.format(top=f'#include "{pathlib.Path(header).name}"', body=tables))
 
 
 main(*sys.argv[1:])

@@ -35,6 +35,17 @@
 // ρ       tracking_ratio        1      k_ta / k_tn; the cure is ρ* = 1 + k_r / k̂_u, (17)
 // κ       kappa                 1      k_r / k_u
 //
+// General scenes (general_tick.h), beyond the paper:
+//
+// A       ActuationMatrix.columns   1, 1/m  force on the handle per unit effort of each motor, where the handle is
+// B       ActuationMatrix.commands  1, m    effort that a renderer with all motors asks of each, per unit force; B A = I
+// u       efforts                   N, N·m  of the motors that exist
+// C_u     user_compliance           m/N     K_u⁻¹ of the hand; Compliances.user is what the renderer believes
+// τ       1/Compliances.force_share 1       k_t / k_r
+// λ       multipliers               N       push of each wall; f_c, contact_force, is that of all
+// Π       ActuatedProjection        1       projector on what the motors can make, orthogonal in C_u
+// s       share                     1       compliance share: 0 naïve rendering, 1 the cure
+//
 // Numbers in round brackets are equation numbers of Lobo & Otaduy, "Rendering of Constraints with Underactuated Haptic
 // Devices", IEEE Transactions on Haptics, 2020. docs/theory.md lists equation → code → test.
 //
@@ -55,7 +66,7 @@ namespace ghostforce {
 template <glm::length_t D>
 using Vector = glm::vec<D, double, glm::defaultp>;
 
-// Column-major, as glm stores it; every matrix of the model is symmetric.
+// Column-major, as glm stores it; every matrix of the paper is symmetric.
 template <glm::length_t D>
 using Matrix = glm::mat<D, D, double, glm::defaultp>;
 

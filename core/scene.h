@@ -3,6 +3,7 @@
 // sliders walk. Not for the servo thread (it holds strings and vectors).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <optional>
@@ -95,7 +96,13 @@ struct ChoiceKey {
   std::span<const std::string_view> words;
   std::size_t (*get)(const Scene&);
   void (*set)(Scene&, std::size_t word);
+  // Where the scene's other words decide which words there are; null: those above.
+  std::span<const std::string_view> (*words_in)(const Scene&) = nullptr;
 };
+
+inline std::span<const std::string_view> words_of(const ChoiceKey& key, const Scene& scene) {
+  return key.words_in == nullptr ? key.words : key.words_in(scene);
+}
 
 // A position [x, y], in mm in the file.
 struct PointKey {
@@ -124,15 +131,49 @@ struct RangeKey {
   NumberRange range;  // within which both lie
 };
 
+// Two numbers; SI value = file value / per_si.
+struct PairKey {
+  std::array<double, 2>& (*in)(Scene&);
+  double per_si;
+  double least;  // in file units, both ends included
+  double greatest;
+};
+
+// Two positions, in mm in the file.
+struct PointPairKey {
+  std::array<Vector<2>, 2>& (*in)(Scene&);
+};
+
+// The anchors of strings, one to most_motors positions, in mm in the file.
+struct AnchorsKey {
+  Strings& (*in)(Scene&);
+};
+
 struct SceneKey {
   std::string_view table;  // "" at the top of the file
   std::string_view name;   // with its unit, as in the file
   bool required;
-  std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey, NumbersKey, RangeKey>
+  std::variant<NumberKey, OptionalNumberKey, TextKey, ChoiceKey, PointKey, PointsKey, TimesKey, NumbersKey, RangeKey,
+               PairKey, PointPairKey, AnchorsKey>
       value;
   // What few scenes have: where it is as in a new Scene, a file says nothing of it.
   bool is_omitted_when_default = false;
+  // The kinds of its table that have it, with blanks between them; empty: all.
+  std::string_view kinds{};
+  int format = 1;  // of the file that may have it, at least
 };
+
+// What kind the scene's table is of, as its key `kind` says; empty: it has no kinds.
+std::string_view kind_of(std::string_view table, const Scene& scene) noexcept;
+
+// Whether a table of this kind has the key.
+bool belongs_to_kind(const SceneKey& key, std::string_view kind) noexcept;
+
+// Whether the scene has it. Others keep their value, which means nothing there.
+bool belongs(const SceneKey& key, const Scene& scene) noexcept;
+
+// The words of a table's key `kind`; empty: it has none.
+std::span<const std::string_view> kinds_of(std::string_view table) noexcept;
 
 // In the order in which a scene is written.
 std::span<const SceneKey> scene_keys() noexcept;
@@ -167,6 +208,17 @@ struct SceneProblem {
   std::string remedy;
 };
 std::optional<SceneProblem> find_problem(const Scene& scene);
+
+// That a corner's walls enclose too little or too much.
+std::optional<SceneProblem> find_corner_problem(const GeneralSettings& general);
+
+// What keeps a general scene's mechanism from where its hand goes: a waypoint, or a place at which the fully actuated
+// handle would rest, lies outside the workspace.
+std::optional<SceneProblem> find_workspace_problem(const Scene& scene);
+
+// Why a handle cannot be there, as "the arm reaches 320 mm from its base; WHAT at (400, 0) mm is 427 mm away"; empty: it
+// can. Allocates.
+std::optional<std::string> why_outside_workspace(const Mechanism& mechanism, const Vector<2>& q, std::string_view what);
 
 // Whether each setting lies in the range that its key gives it: what a servo takes. Any thread, the servo's too:
 // allocates nothing.

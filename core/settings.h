@@ -6,6 +6,7 @@
 #include <type_traits>
 
 #include "core/equilibrium.h"
+#include "core/general_settings.h"
 #include "core/stiffness.h"
 #include "core/strategy.h"
 #include "core/tick.h"
@@ -29,6 +30,8 @@ inline constexpr NumberRange rendering_stiffness_range{0.0, 1e6};
 inline constexpr NumberRange tracking_stiffness_range{0.1, 1e6};
 // ρ where a person chooses it: three decades to either side of the naive one.
 inline constexpr NumberRange tracking_ratio_range{1e-3, 1e3};
+// s where a person chooses it: from naïve rendering past the cure. Beyond 1 the proxy is held less than it should be.
+inline constexpr NumberRange compliance_share_range{0.0, 10.0};
 // No desktop computer keeps up with more, and the servo does not try [Hz].
 inline constexpr NumberRange rate_range{10.0, 20000.0};
 
@@ -42,10 +45,37 @@ struct Settings {
   double encoder_step = 0.0;                    // of a simulated device, see sampled_device.h [m]; 0: the place itself
   Stiffnesses stiffnesses;                      // k_u, k_r, k_t, k_c, ρ
   StrategyId active = StrategyId::anisotropic;  // the one on the device; the others run beside it
+  GeneralSettings general;                      // beyond the paper's scenes
 
   friend bool operator==(const Settings&, const Settings&) = default;
 };
 static_assert(std::is_trivially_copyable_v<Settings>);
+
+// `to` = `from`. A servo does it with every sample, and the general part of either is seldom anything but the usual one:
+// see without_idle_general().
+inline void copy_settings(const Settings& from, Settings& to) noexcept {
+  to.wall_point = from.wall_point;
+  to.wall_normal_angle = from.wall_normal_angle;
+  to.actuated_angle = from.actuated_angle;
+  to.mass = from.mass;
+  to.damping = from.damping;
+  to.rate = from.rate;
+  to.encoder_step = from.encoder_step;
+  to.stiffnesses = from.stiffnesses;
+  to.active = from.active;
+  if (is_general(from.general) || is_general(to.general)) to.general = from.general;
+}
+
+// The same scene for a loop: what stands in the general part of a scene that is none means nothing.
+inline Settings without_idle_general(Settings settings) noexcept {
+  if (!is_general(settings.general)) settings.general = {};
+  return settings;
+}
+
+// Whether wall_of(), actuation_of() and what is made of them do not tell the whole scene.
+inline bool is_general(const Settings& settings) noexcept {
+  return is_general(settings.general);
+}
 
 inline Wall<2> wall_of(const Settings& settings) noexcept {
   return {settings.wall_point, direction_at(settings.wall_normal_angle)};

@@ -19,10 +19,12 @@ constexpr PerStrategy<Strategy> catalog = std::to_array<Strategy>({
      "wall.",
      false, isotropic},
     {StrategyId::anisotropic, "anisotropic", 'A', "Anisotropic",
-     "One motor, and a proxy that follows softly where no motor is. At the optimal ratio ρ* the ghost force is gone.",
-     "One motor, and a proxy that follows softly where no motor is. But ρ is not the ratio that this hand needs: a "
-     "ghost force remains.",
-     "One motor, and a proxy that follows softly where no motor is. The ghost force is gone.", false, tracking_ratio},
+     "One motor, and a proxy that follows softly in the direction without a motor. At the optimal ratio ρ* the ghost "
+     "force is gone.",
+     "One motor, and a proxy that follows softly in the direction without a motor. But ρ is not the ratio that this "
+     "hand needs: a ghost force remains.",
+     "One motor, and a proxy that follows softly in the direction without a motor. The ghost force is gone.", false,
+     tracking_ratio},
 });
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/actuation.h"
+#include "core/contact_status.h"
 #include "core/energy.h"
 #include "core/proxy.h"
 #include "core/sampled_device.h"
@@ -60,6 +61,10 @@ struct TickState {
     double energy = 0.0;                                     // W [J]
     bool in_contact = false;
     Vector<D> tone{0.0};  // beside f_r, from this tick to the next [N]
+
+    // Of general scenes alone (general_tick.h): what the motors do from this tick to the next.
+    Vector<D> force{0.0};  // f_r [N]
+    ContactReading contact{};
   };
   std::int64_t tick = 0;               // k
   Vector<D> goal{0.0};                 // q_u [m]

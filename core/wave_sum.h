@@ -6,10 +6,10 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <numbers>
 
 #include "core/conventions.h"
 #include "core/settings.h"
+#include "core/sine.h"
 
 namespace ghostforce {
 
@@ -47,7 +47,7 @@ struct WaveSum {
     for (const glm::length_t axis : {0, 1}) {
       for (const Wave& wave : axes[static_cast<std::size_t>(axis)]) {
         const double turns = wave.turns_per_second * time_s + wave.phase;
-        place[axis] += wave.amplitude * std::sin(2.0 * std::numbers::pi * turns);
+        place[axis] += wave.amplitude * sine_of_turns(turns);
       }
     }
   }

@@ -1,6 +1,5 @@
 #include "app/base/typed_text.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 

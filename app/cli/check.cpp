@@ -30,7 +30,6 @@
 #include "app/tools/check/case_folder.h"
 #include "app/tools/check/evaluation.h"
 #include "app/tools/check/report.h"
-#include "app/tools/check/update.h"
 
 namespace ghostforce {
 namespace {

@@ -3,19 +3,16 @@
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
-#include <string>
 
 #include <fmt/core.h>
 #include <fmt/format.h>
 
-#include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/cli/option.h"
 #include "app/files/run.h"
-#include "app/files/scene_file.h"
 #include "app/state/set_up.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
@@ -118,14 +115,15 @@ void end_unstable(OutputFile& file, StrategyId strategy, double time_s, std::str
   throw unstable_loop(strategy, time_s, run);
 }
 
-void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
+void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& start,
                   std::int64_t last, std::span<const StrategyId> ids) {
   Progress progress(std::string(doing), last, !file.is_terminal());
   fmt::memory_buffer rows;
-  simulate_from(state, scene, last, [&](const Snapshot& snapshot) {
+  simulate_from(start, scene, last, [&](const Snapshot& snapshot, const TickState<2>& state) {
     for (const StrategyId id : ids) {
       if (has_diverged(snapshot.strategies[index_of(id)])) end_unstable(file, id, snapshot.time_s);
       append_run_row(rows, snapshot, id);
+      append_efforts(rows, scene.settings, state.strategies[index_of(id)].contact.efforts);
       rows.push_back('\n');
     }
     file.write({rows.data(), rows.size()});

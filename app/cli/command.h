@@ -51,6 +51,10 @@ struct Command {
 // In the order in which --help lists them.
 std::span<const Command> command_catalog() noexcept;
 
+// From the words that a person typed, without the program's name, to the command that runs. Returns what they ask for,
+// not begun yet: it returns the exit code or throws Failure. Throws Failure(wrong_call) for a call that is wrong.
+std::function<int()> parse_command_line(std::vector<std::string> words);
+
 // SCENE and --set, which every command with a scene takes.
 struct SceneOptions {
   std::string scene{default_scene_name};
@@ -130,10 +134,10 @@ class Lines {
   bool is_read_ = true;
 };
 
-// Plays the scene's hand from `state`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
+// Plays the scene's hand from `start`, whose k is 0, to the tick `last`, and writes a row for each tick and each of
 // these strategies. `doing` is what the progress on a terminal is called. Ends as end_unstable() does where a loop runs
 // away. Throws Failure(interrupted), and what OutputFile throws.
-void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& state,
+void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& start,
                   std::int64_t last, std::span<const StrategyId> ids);
 
 // Ends a command whose loop has run away, with unstable_loop() (run.h): a pipe has the whole rows until then, and a file

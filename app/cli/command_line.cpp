@@ -1,4 +1,3 @@
-#include "app/cli/command_line.h"
 
 #include <algorithm>
 #include <iterator>
@@ -15,7 +14,7 @@
 #include "app/base/typed_text.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/completion.h"
+#include "app/cli/manual.h"
 #include "app/cli/version.h"
 #include "app/files/scene_file.h"
 #include "app/shell/desktop/offscreen.h"

@@ -26,7 +26,7 @@ constexpr std::string_view notes =
     "'ghostforce help COMMAND' describes a command.\n"
     "\n"
     "A strategy is full (fully actuated: two motors), naive (one motor, rendered as if both were there)\n"
-    "or anisotropic (one motor, and the proxy follows softly where no motor is).\n"
+    "or anisotropic (one motor, and the proxy follows softly in the direction without a motor).\n"
     "\n"
     "SCENE is the path of a scene file, or the name of a shipped scene:\n"
     "  {}\n"

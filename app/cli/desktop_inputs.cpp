@@ -16,7 +16,6 @@
 #include "app/cli/option.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/files/xdg_folders.h"
-#include "app/shell/input_link.h"
 #include "app/shell/spacemouse_input_link.h"
 #include "app/tools/doctor/readiness.h"
 #include "core/safety.h"

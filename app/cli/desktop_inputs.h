@@ -12,7 +12,6 @@
 #include "app/shell/input_link.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/ftdi_link.h"
-#include "device/input_catalog.h"
 #include "device/report/motor_report.h"
 
 namespace ghostforce {

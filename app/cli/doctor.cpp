@@ -115,8 +115,10 @@ int doctor(const DoctorOptions& options) {
   const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
   if (options.measure) {
     const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
+    const InputOptions input = options.falcon.input_options(firmware);
     return measure_with_doctor({.firmware = firmware,
-                                .input = options.falcon.input_options(firmware),
+                                .falcon = input.falcon,
+                                .injected_fault = input.injected_fault,
                                 .cable = options.falcon.cable(),
                                 .is_virtual = kind.hand_is_simulated,
                                 .report = options.report,

@@ -14,6 +14,7 @@
 #include "app/cli/command.h"
 #include "app/cli/option.h"
 #include "core/conventions.h"
+#include "core/general_equilibrium.h"
 #include "core/prediction.h"
 
 namespace ghostforce {
@@ -90,10 +91,106 @@ std::string table_text(const Scene& scene, double goal_depth, const PerStrategy<
   return text;
 }
 
+// --- General scenes --------------------------------------------------------------------------------------------------
+
+using GeneralRests = PerStrategy<std::optional<PredictedGeneralEquilibrium>>;
+
+// What is known where there is no rest.
+nlohmann::ordered_json no_rest_json(const Vector<2>& goal) {
+  return {{"goal_m", as_json(goal)}, {"no_rest", true}};
+}
+
+nlohmann::ordered_json rest_json(const PredictedGeneralEquilibrium& predicted, std::size_t motors, bool are_torques) {
+  const auto& [at, contact_force, all_efforts, active] = predicted.rest;
+  nlohmann::ordered_json efforts = nlohmann::ordered_json::array();
+  nlohmann::ordered_json units = nlohmann::ordered_json::array();
+  nlohmann::ordered_json walls = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < motors; ++i) {
+    efforts.push_back(all_efforts[i] + 0.0);
+    units.push_back(are_torques ? "N·m" : "N");
+  }
+  for (unsigned i = 0; i < most_planes; ++i) {
+    if ((unsigned{active} >> i & 1U) != 0) walls.push_back(i + 1);
+  }
+  return {
+      {"goal_m", as_json(at.goal)},
+      {"proxy_m", as_json(at.proxy)},
+      {"device_m", as_json(at.device)},
+      {"contact_m", as_json(at.contact)},
+      {"force_N", as_json(at.force)},
+      {"ghost_force_N", as_json(predicted.ghost_force)},
+      {"proxy_drift_m", as_json(predicted.slide)},
+      {"efforts", efforts},
+      {"effort_units", units},
+      {"active", walls},
+  };
+}
+
+std::string json_text(const GeneralScene& scene, const Vector<2>& goal, const GeneralRests& rests) {
+  nlohmann::ordered_json strategies;
+  for (const Strategy& strategy : strategy_catalog()) {
+    const auto& rest = rests[index_of(strategy.id)];
+    strategies[std::string(strategy.name)] =
+        rest ? rest_json(*rest, motor_count(scene.mechanism), makes_torques(scene.mechanism)) : no_rest_json(goal);
+  }
+  const double goal_depth = -signed_distance(scene.constraint, goal);
+  return nlohmann::ordered_json{{"depth_m", goal_depth + 0.0}, {"strategies", strategies}}.dump() + "\n";
+}
+
+std::string walls_text(std::uint8_t active) {
+  std::string text;
+  for (unsigned i = 0; i < most_planes; ++i) {
+    if ((unsigned{active} >> i & 1U) != 0) text += fmt::format("{}{}", text.empty() ? "" : ", ", i + 1);
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string table_text(const Scene& scene, const GeneralScene& general, const Vector<2>& goal,
+                       const GeneralRests& rests) {
+  const double goal_depth = -signed_distance(general.constraint, goal);
+  std::string text =
+      fmt::format("{}\ngoal {} mm, {} mm {} the wall; compliance share {}\n\n{:16}", quoted_text(scene.title),
+                  shown(mm_per_m * goal), shown(mm_per_m * std::abs(goal_depth)),
+                  goal_depth > 0.0 ? "inside" : "outside", scene.settings.general.compliance_share, "");
+  for (const Strategy& strategy : strategy_catalog()) {
+    text += fmt::format("  {:>22}", fmt::format("{} {}", strategy.letter, strategy.name));
+  }
+  text += "\n";
+  const auto add_row = [&](std::string_view title, std::string_view unit, const auto& value_of) {
+    text += fmt::format("{:12}{:4}", title, unit);
+    for (const auto& rest : rests) text += fmt::format("  {:>22}", rest ? value_of(*rest) : std::string("no rest"));
+    text += "\n";
+  };
+  using Rest = PredictedGeneralEquilibrium;
+  add_row("proxy", "mm", [](const Rest& rest) { return shown(mm_per_m * rest.rest.at.proxy); });
+  add_row("device", "mm", [](const Rest& rest) { return shown(mm_per_m * rest.rest.at.device); });
+  add_row("contact", "mm", [](const Rest& rest) { return shown(mm_per_m * rest.rest.at.contact); });
+  add_row("force", "N", [](const Rest& rest) { return shown(rest.rest.at.force); });
+  add_row("ghost force", "N", [](const Rest& rest) { return shown(rest.ghost_force); });
+  add_row("slide", "mm", [](const Rest& rest) { return shown(mm_per_m * rest.slide); });
+  for (std::size_t i = 0; i < motor_count(general.mechanism); ++i) {
+    add_row(fmt::format("effort {}", i + 1), makes_torques(general.mechanism) ? "N·m" : "N",
+            [i](const Rest& rest) { return shown(rest.rest.efforts[i]); });
+  }
+  add_row("acting walls", "", [](const Rest& rest) { return walls_text(rest.rest.active); });
+  return text;
+}
+
+int general_equilibrium(const EquilibriumOptions& options, const Scene& scene, const Vector<2>& goal) {
+  const GeneralScene general = general_scene_of(scene.settings);
+  if (const auto why = why_outside_workspace(general.mechanism, goal, "the goal")) {
+    throw Failure(ExitCode::wrong_call, fmt::format("{}; choose a goal that the device reaches", *why));
+  }
+  const GeneralRests rests = predicted_general_equilibria(general, goal);
+  print(options.json ? json_text(general, goal, rests) : table_text(scene, general, goal, rests));
+  return static_cast<int>(ExitCode::done);
+}
+
 int equilibrium(const EquilibriumOptions& options) {
   Scene scene = options.scene.load();
   scene.settings = settings_at(scene, scene.settings, scene.duration);
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
+  if (is_general(scene.settings)) return general_equilibrium(options, scene, goal);
   const double goal_depth = depth(wall_of(scene.settings), goal);
   const PerStrategy<PredictedEquilibrium> equilibria = predicted_equilibria(scene.settings, goal);
   print(options.json ? json_text(goal_depth, equilibria) : table_text(scene, goal_depth, equilibria));

@@ -18,7 +18,7 @@
 #include "app/cli/option.h"
 #include "app/files/output_file.h"
 #include "app/files/run_reader.h"
-#include "app/tools/figures/figure_catalog.h"
+#include "app/tools/figures/figure.h"
 #include "app/tools/figures/simulated_motion.h"
 
 namespace ghostforce {

@@ -11,7 +11,7 @@
 #include "app/base/quoted.h"
 #include "app/cli/command.h"
 #include "app/cli/command_tree.h"
-#include "app/cli/man_page.h"
+#include "app/cli/manual.h"
 #include "app/cli/option.h"
 #include "embedded_completion.h"
 

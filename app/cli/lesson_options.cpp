@@ -1,8 +1,6 @@
 #include "app/cli/lesson_options.h"
 
 #include <array>
-#include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,7 +8,6 @@
 #include "app/base/language.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/cli/command.h"
 #include "app/cli/option.h"
 #include "app/state/faces_and_modes.h"
 #include "app/state/lesson_file.h"

@@ -1,4 +1,4 @@
-#include "app/cli/man_page.h"
+#include "app/cli/manual.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,10 @@
-// What the program's manual says, as a value: command_tree.h makes it from the tables that --help is made from.
-// Manual pages (man_page.h) are written from it, and completion (completion.h) is answered.
+// What the program's manual says, as a value: command_tree.h makes it from the tables that --help is made from. Manual
+// pages are written from it, and completion is answered. Not for the servo thread.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace ghostforce {
@@ -54,5 +56,29 @@ struct Manual {
   std::vector<ManualRow> environment{};
   std::vector<ManualRow> files{};
 };
+
+// --- Manual pages for man(1), in the macros of man(7). Pure ---
+
+// Of the program: NAME.1.
+std::string man_page(const Manual& manual);
+// Of one of its commands: PROGRAM-NAME.1.
+std::string man_page(const Manual& manual, const ManualCommand& command);
+
+// UTF-8 as text that groff and mandoc show as it is, whatever it contains and whatever the system's encoding.
+std::string roff_text(std::string_view text);
+
+// --- Completion: a shell asks the program by `ghostforce __complete WORDS` and prints what it answers; a script in
+// assets/completion does so for each shell ---
+
+// What may follow these words, of which the last is being typed. In the first line the kind of paths that may stand
+// there, "none", "any", "toml" or "folders", a blank, and what of the last word comes before the path. In each line
+// below a whole word, and after a tab, if there is anything to say of it, a sentence. A word that ends in '=' or ':' is
+// not finished. Reads the folders whose files are to be chosen from.
+std::string completions(const Manual& manual, std::span<const std::string> words);
+
+// A word that names an option: a lone "-" is a standard stream.
+bool is_option(std::string_view word) noexcept;
+
+inline constexpr std::string_view completing_command = "__complete";
 
 }  // namespace ghostforce

@@ -333,6 +333,12 @@ int measure_user(const MeasureUserOptions& options) {
                                                     "file from 'simulate', 'replay' or a recording",
                                                     quoted_text(options.run, longest_path)));
   }
+  if (is_general(run.scene->settings)) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{}: is a run of a scene of format 2, whose wall and motor do not tell the user's "
+                              "stiffness as those of format 1 do; give a run of such a scene",
+                              quoted_text(options.run, longest_path)));
+  }
   refuse_unstable_run(run, options.run);
   const bool measured = std::ranges::any_of(run.ticks, [](const RunTick& tick) { return tick.measured.has_value(); });
   const auto was_not_told = [](const RunTick& tick) {

@@ -1,13 +1,10 @@
 #include "app/cli/picture_options.h"
 #include "app/cli/option.h"
 
-#include <string>
-
 #include <fmt/format.h>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
-#include "app/cli/command.h"
 
 namespace ghostforce {
 

@@ -1,5 +1,4 @@
 // ghostforce render: the picture of a scene at one moment, drawn offscreen by the same screen as the window's.
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -21,8 +20,10 @@
 #include "app/files/clip_file.h"
 #include "app/files/output_file.h"
 #include "app/files/png_writer.h"
+#include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/shell/desktop/offscreen.h"
+#include "app/state/permit.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "core/scene.h"
@@ -68,14 +69,42 @@ void apply_lesson(const RenderOptions& options, const std::shared_ptr<const Less
   show_lesson_in(request, std::move(picture));
 }
 
+// The stage shows one strategy, as a person has it in the hand.
+void refuse_all_on_stage(const RenderOptions& options, Face face) {
+  const bool is_stage = face == Face::stage;
+  const bool has_many = options.picture.strategy == every_strategy || !options.compare.empty();
+  if (!is_stage || !has_many) return;
+  throw Failure(
+      ExitCode::wrong_call,
+      "the stage shows one strategy at a time; name one with --strategy, leave out --compare, or use --view workbench");
+}
+
+// A scene that the workbench does not show is on the stage, unless something else was asked for.
+Face face_of(const RenderOptions& options, const Scene& scene) {
+  const bool is_on_stage_alone = is_general(scene.settings);
+  const Face face = options.picture.face_or(is_on_stage_alone ? Face::stage : Face::workbench);
+  if (face == Face::workbench) refuse_on_workbench(scene, quoted_text(scene.title));
+  refuse_all_on_stage(options, face);
+  return face;
+}
+
+void refuse_mode_of_other_scenes(const PictureRequest& request) {
+  if (request.mode == StageMode::none) return;
+  const auto refusal = permit(session_of(request.scene), ToggleMode{request.mode});
+  if (!refusal) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("--mode {}: {}", stage_mode_name(request.mode), english_stage.refusals.*refusal->words));
+}
+
 PictureRequest request_of(const RenderOptions& options) {
   PictureRequest request;
   apply_size(options.size, request);
   request.scene = options.scene.load();
   request.at_s = options.at_s;
   request.renderer = options.renderer;
-  request.face = options.picture.face_or(Face::workbench);
+  request.face = face_of(options, request.scene);
   request.mode = options.picture.stage_mode();
+  refuse_mode_of_other_scenes(request);
   const bool is_clip_of_stage = options.clip && request.face == Face::stage && options.part.empty();
   const bool is_scene = options.part == "scene" || vector_format_of(options.output) || is_clip_of_stage;
   request.part = is_scene ? Part::scene : Part::window;
@@ -84,16 +113,6 @@ PictureRequest request_of(const RenderOptions& options) {
   options.picture.apply_appearance(request.appearance);
   apply_lesson(options, options.lesson.load(), request);
   return request;
-}
-
-// The stage shows one strategy, as a person has it in the hand.
-void refuse_all_on_stage(const RenderOptions& options) {
-  const bool is_stage = options.picture.face_or(Face::workbench) == Face::stage;
-  const bool has_many = options.picture.strategy == every_strategy || !options.compare.empty();
-  if (!is_stage || !has_many) return;
-  throw Failure(
-      ExitCode::wrong_call,
-      "the stage shows one strategy at a time; name one with --strategy, leave out --compare, or use --view workbench");
 }
 
 // Panels and bars are drawn in pixels.
@@ -175,7 +194,6 @@ int render_clip(const RenderOptions& options, const PictureRequest& request) {
 int render(const RenderOptions& options) {
   if (!options.clip) refuse_window_as_vectors(options);
   refuse_renderer_for_vectors(options);
-  refuse_all_on_stage(options);
   const PictureRequest request = request_of(options);
   if (options.clip) return render_clip(options, request);
   OutputFile picture_file(options.output);

@@ -144,6 +144,7 @@ int replay_exactly(const ReplayOptions& options) {
       append_run_row(lines, tick.snapshot, each.id);
       const Vector<2>& tone = tick.tones[index_of(each.id)];
       if (tells_tones) fmt::format_to(std::back_inserter(lines), FMT_COMPILE(",{},{}"), tone.x, tone.y);
+      append_efforts(lines, tick.settings, tick.contacts[index_of(each.id)].efforts);
       lines.push_back('\n');
     }
     file.write({lines.data(), lines.size()});

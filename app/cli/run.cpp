@@ -36,6 +36,7 @@
 #include "app/shell/application.h"
 #include "app/shell/desktop/display_watch.h"
 #include "app/shell/desktop/glfw_window.h"
+#include "app/shell/desktop/motion_watch.h"
 #include "app/shell/desktop/portal_file_chooser.h"
 #include "app/shell/desktop/sleep_watch.h"
 #include "app/shell/frame_pacer.h"
@@ -72,7 +73,7 @@ struct RunOptions {
 
 // What stands before the recording that is to be replayed.
 std::string replay_begins() {
-  return fmt::format("{}:", replay_kind.name);
+  return fmt::format("{}:", replayed_hand.name);
 }
 
 // Of all inputs; `replay` stands for the one that replays a recording.
@@ -87,7 +88,7 @@ std::vector<std::string_view> input_names(std::string_view replay) {
 
 // Either the name of an input, or replay and the recording.
 std::string refuse_other_than_input(const std::string& word) {
-  if (word == replay_kind.name || word == replay_begins()) return "give the recording too: --input replay:FILE";
+  if (word == replayed_hand.name || word == replay_begins()) return "give the recording too: --input replay:FILE";
   return word.starts_with(replay_begins()) ? std::string() : not_one_of(word, input_names("replay:FILE"));
 }
 
@@ -208,7 +209,7 @@ int run(const RunOptions& options) {
        .kiosk_visit = options.kiosk.lessons(lesson),
        .lesson_progress = progress,
        .inputs = desktop_inputs(options.falcon.cable()),
-       .input = std::string(recording ? replay_kind.name : std::string_view(options.input)),
+       .input = std::string(recording ? replayed_hand.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
        .record = options.record,
        .receipt_origin = receipt_origin(
@@ -236,6 +237,7 @@ int run(const RunOptions& options) {
   if (options.has_audience) application.act(ToggleAudience{});
   application.start();
   SleepWatch sleep_watch;
+  const MotionWatch motion_watch;
   std::optional<PortalFileChooser> file_chooser;
   if (!is_kiosk) file_chooser.emplace(window.portal_name());
   ReadingAloud reading_aloud(options.printed_hz, STDOUT_FILENO);
@@ -257,6 +259,9 @@ int run(const RunOptions& options) {
     if (options.exit_after_s && now_s >= *options.exit_after_s) break;
     const double interval_s = now_s - std::exchange(last_s, now_s);
     sleep_watch.delay(application.delays_sleep(sleep_watch.is_coming()));
+    if (motion_watch.is_reduced() != application.session().system_reduces_motion) {
+      application.act(FollowSystemMotion{motion_watch.is_reduced()});
+    }
     application.update(interval_s);
     reading_aloud.follow(application, interval_s);
     if (reading_aloud.output_problem() == EPIPE) break;  // who wanted the values has gone

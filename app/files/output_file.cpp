@@ -4,7 +4,6 @@
 #include <cerrno>
 #include <climits>
 #include <cstdio>
-#include <cstring>
 #include <system_error>
 #include <utility>
 
@@ -14,7 +13,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"

@@ -11,7 +11,6 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
-#include <vector>
 
 #include "app/base/quoted.h"
 #include "app/files/read_error.h"

@@ -1,7 +1,6 @@
 // The page reads what PNG files say of themselves; it decodes none.
 #include "app/files/png_file.h"
 
-#include <cstdint>
 #include <string_view>
 
 #include "app/base/quoted.h"

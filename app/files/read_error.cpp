@@ -1,7 +1,5 @@
 #include "app/files/read_error.h"
 
-#include <utility>
-
 #include <fmt/format.h>
 
 namespace ghostforce {

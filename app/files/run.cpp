@@ -3,13 +3,13 @@
 #include <iterator>
 
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/files/program_build.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
+#include "core/general_tick.h"
 
 namespace ghostforce {
 
@@ -51,7 +51,7 @@ Failure unstable_loop(StrategyId id, double time_s, std::string_view run) {
 
 std::string provenance(const Scene& scene) {
   std::string header =
-      fmt::format("# ghostforce {}\n{}{}\n{}\n", program_build(), format_begins, run_format, scene_begins);
+      fmt::format("# ghostforce {}\n{}{}\n{}\n", program_build(), format_begins, format_of(scene), scene_begins);
   const std::string text = scene_text(scene);
   for (std::string_view rest = text; !rest.empty();) {
     const std::string_view line = take_until(rest, '\n');
@@ -61,12 +61,26 @@ std::string provenance(const Scene& scene) {
   return header;
 }
 
+std::string effort_columns(const Scene& scene) {
+  std::string columns;
+  if (!is_general(scene.settings)) return columns;
+  const std::size_t motors = motor_count(mechanism_of(scene.settings));
+  for (std::size_t i = 1; i <= motors; ++i) columns += fmt::format(",effort_{}", i);
+  return columns;
+}
+
 std::string run_header(const Scene& scene, std::string_view further_columns) {
+  const std::string efforts = effort_columns(scene);
+  const bool are_torques = !efforts.empty() && makes_torques(mechanism_of(scene.settings));
   return fmt::format(
       "{}"
-      "# One row per tick and strategy. Units: s, m, N. The force is that of the device on the hand.\n"
-      "{}{}\n",
-      provenance(scene), run_columns, further_columns);
+      "# One row per tick and strategy. Units: s, m, N. The force is that of the device on the hand.{}\n"
+      "{}{}{}\n",
+      provenance(scene),
+      efforts.empty() ? ""
+      : are_torques   ? " Efforts are in N·m."
+                      : " Efforts are in N.",
+      run_columns, further_columns, efforts);
 }
 
 void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state) {
@@ -89,13 +103,19 @@ void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, 
   Stiffnesses& stiffnesses = after.settings.stiffnesses;
   if (!stiffnesses.believed_k_u && known.stiffnesses.believed_k_u) stiffnesses.believed_k_u = stiffnesses.k_u;
   for (const SceneKey& key : scene_keys()) {
-    if (!is_setting(key)) continue;
+    if (!is_setting(key) || !belongs(key, after)) continue;
     const std::string value = value_text(after, key);
     if (value == value_text(before, key)) continue;
     fmt::format_to(std::back_inserter(rows), FMT_COMPILE("{}{}{} {}={}\n"), set_begins, time_begins, time_s,
                    dotted_name(key), value);
   }
   known = after.settings;
+}
+
+void append_efforts(fmt::memory_buffer& rows, const Settings& settings, const Efforts& efforts) {
+  if (!is_general(settings)) return;
+  const std::size_t motors = motor_count(mechanism_of(settings));
+  for (std::size_t i = 0; i < motors; ++i) fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{}"), efforts[i]);
 }
 
 void append_run_row(fmt::memory_buffer& rows, const Snapshot& snapshot, StrategyId id) {

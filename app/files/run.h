@@ -39,6 +39,7 @@ struct RunRow {
   std::optional<Vector<2>> sent{};
   bool is_saturated = false;  // the limit has shortened it
   Vector<2> tone{0.0};        // what measures the hand, until the next tick [N]
+  Efforts efforts{};          // u of each motor, in general scenes [N or N·m]
 };
 
 struct RunTick {
@@ -111,7 +112,10 @@ inline constexpr std::string_view tone_columns = ",tone_x_N,tone_y_N";
 
 // How the line of the format's number begins. A reader that knows a lower one refuses the file.
 inline constexpr std::string_view format_begins = "# format ";
-inline constexpr int run_format = 1;
+inline constexpr int run_format = 2;  // the highest; a run of a scene of format 1 is of format 1
+
+// The columns that a run of a general scene adds after all others, one per motor: effort_1 …; empty for other scenes.
+std::string effort_columns(const Scene& scene);
 
 // The lines between which the scene stands, each of its lines after "# ".
 inline constexpr std::string_view scene_begins = "# scene:";
@@ -134,7 +138,8 @@ inline constexpr std::string_view time_begins = "t_s=";
 // as comments.
 std::string provenance(const Scene& scene);
 
-// All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…".
+// All that stands before the first row. `further_columns` come after the common ones: "" or ",name,name…"; after them
+// those of the motors' efforts.
 std::string run_header(const Scene& scene, std::string_view further_columns = {});
 
 void append_state_line(fmt::memory_buffer& rows, double time_s, const RunState& state);
@@ -145,5 +150,8 @@ void append_set_lines(fmt::memory_buffer& rows, double time_s, Settings& known, 
 
 // One row of run_columns, without a newline, so that further values can follow.
 void append_run_row(fmt::memory_buffer& rows, const Snapshot& snapshot, StrategyId strategy);
+
+// The values of effort_columns(), each after its comma; none where the settings are not of a general scene.
+void append_efforts(fmt::memory_buffer& rows, const Settings& settings, const Efforts& efforts);
 
 }  // namespace ghostforce

@@ -17,7 +17,6 @@
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/program_build.h"
-#include "app/files/run.h"
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
 #include "core/divergence.h"
@@ -53,6 +52,10 @@ enum Column : std::size_t {
   loop_column,
   tone_x_column,
   tone_y_column,
+  effort_1_column,
+  effort_2_column,
+  effort_3_column,
+  effort_4_column,
   active_column,  // these two are 0 or 1
   saturated_column,
   goal_kind_column,  // these are words again
@@ -60,9 +63,9 @@ enum Column : std::size_t {
   all_columns,
 };
 constexpr std::array<std::string_view, all_columns> column_names{
-    "strategy",  "t_s",       "goal_x_m",  "goal_y_m",  "device_x_m", "device_y_m", "proxy_x_m",
-    "proxy_y_m", "force_x_N", "force_y_N", "sent_x_N",  "sent_y_N",   "loop_s",     "tone_x_N",
-    "tone_y_N",  "active",    "saturated", "goal_kind", "device_kind"};
+    "strategy",  "t_s",       "goal_x_m", "goal_y_m", "device_x_m", "device_y_m", "proxy_x_m",  "proxy_y_m",
+    "force_x_N", "force_y_N", "sent_x_N", "sent_y_N", "loop_s",     "tone_x_N",   "tone_y_N",   "effort_1",
+    "effort_2",  "effort_3",  "effort_4", "active",   "saturated",  "goal_kind",  "device_kind"};
 
 // A finite number, and nothing but it.
 template <typename Number>
@@ -203,13 +206,13 @@ class RunReader {
     int format = 0;
     if (!take_number(number, format) || format < 1) damaged("this is not the number of a format");
     if (format <= run_format) return;
-    throw ReadError(
-        ReadError::Kind::wrong,
-        {{.file = run_.name,
-          .line = line_number_,
-          .column = 1,
-          .what = fmt::format("this is a run of format {}, but this program only knows format {}", format, run_format),
-          .remedy = "a newer version of ghostforce may read it"}});
+    throw ReadError(ReadError::Kind::wrong,
+                    {{.file = run_.name,
+                      .line = line_number_,
+                      .column = 1,
+                      .what = fmt::format("this is a run of format {}, but this program only knows formats 1 to {}",
+                                          format, run_format),
+                      .remedy = "a newer version of ghostforce may read it"}});
   }
 
   void take_scene_line(std::string_view line) {
@@ -236,7 +239,7 @@ class RunReader {
     // Settings alone, so that a change is quick to read however long path and words are.
     changed_ = *run_.scene;
     changed_.title = changed_.about = "";
-    changed_.goal = {{Vector<2>(0.0)}, {0.0}, Motion::linear};
+    changed_.goal = {{changed_.goal.points.front()}, {0.0}, Motion::linear};
     changed_.stiffness_path = {};
     changed_.duration = 0.0;
     scene_text_ = scene_text(changed_);
@@ -266,7 +269,8 @@ class RunReader {
     std::vector<std::string> arguments;
     for (const auto& [of, argument] : overrides_) arguments.push_back(argument);
     try {
-      settings_ = changed_.settings = read_scene(scene_text_, run_.name, arguments).settings;
+      settings_ = changed_.settings =
+          read_scene(scene_text_, run_.name, arguments, SceneChecks::all_but_workspace).settings;
     } catch (const ReadError& error) {
       damaged(error.problems().front().what);
     }
@@ -339,6 +343,7 @@ class RunReader {
                {number[proxy_x_column], number[proxy_y_column]},
                {number[force_x_column], number[force_y_column]}};
     row.is_saturated = number[saturated_column] != 0.0;
+    for (std::size_t i = 0; i < most_motors; ++i) row.efforts[i] = number[effort_1_column + i];
     if (run_.tells_tones) row.tone = {number[tone_x_column], number[tone_y_column]};
     if (is_measured) {  // the others have no motors
       if (has(sent_x_column) && has(sent_y_column)) row.sent = {number[sent_x_column], number[sent_y_column]};

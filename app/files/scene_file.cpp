@@ -1,6 +1,7 @@
 #include "app/files/scene_file.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -46,6 +47,10 @@ std::string toml_point(const Vector<2>& point) {
                      toml_number(file_value(point.y, mm_per_m)));
 }
 
+std::string toml_pair(const std::array<double, 2>& pair, double per_si) {
+  return fmt::format("[{}, {}]", toml_number(file_value(pair[0], per_si)), toml_number(file_value(pair[1], per_si)));
+}
+
 std::string toml_range(const NumberRange& range) {
   return fmt::format("[{}, {}]", toml_number(range.least), toml_number(range.greatest));
 }
@@ -71,12 +76,18 @@ struct ValueText {
     return key.word_for_empty.empty() ? "" : toml_string(key.word_for_empty);
   }
   std::string operator()(const TextKey& key) const { return toml_string(key.in(scene)); }
-  std::string operator()(const ChoiceKey& key) const { return toml_string(key.words[key.get(scene)]); }
+  std::string operator()(const ChoiceKey& key) const { return toml_string(words_of(key, scene)[key.get(scene)]); }
   std::string operator()(const PointKey& key) const { return toml_point(key.in(scene)); }
   std::string operator()(const PointsKey& key) const { return toml_array(key.in(scene), toml_point); }
   std::string operator()(const TimesKey& key) const { return toml_array(key.in(scene), toml_number); }
   std::string operator()(const NumbersKey& key) const { return toml_array(key.in(scene), toml_number); }
   std::string operator()(const RangeKey& key) const { return toml_range(key.in(scene)); }
+  std::string operator()(const PairKey& key) const { return toml_pair(key.in(scene), key.per_si); }
+  std::string operator()(const PointPairKey& key) const { return toml_array(key.in(scene), toml_point); }
+  std::string operator()(const AnchorsKey& key) const {
+    const Strings& strings = key.in(scene);
+    return toml_array(std::span(strings.anchors).first(strings.count), toml_point);
+  }
 };
 
 // Replaces each value of a key by what reading its text gives.
@@ -92,6 +103,15 @@ struct Rounding {
   void operator()(const PointKey& key) const { round(key.in(scene)); }
   void operator()(const PointsKey& key) const {
     for (Vector<2>& point : key.in(scene)) round(point);
+  }
+  void operator()(const PairKey& key) const {
+    for (double& number : key.in(scene)) round(number, key.per_si);
+  }
+  void operator()(const PointPairKey& key) const {
+    for (Vector<2>& point : key.in(scene)) round(point);
+  }
+  void operator()(const AnchorsKey& key) const {
+    for (Vector<2>& point : key.in(scene).anchors) round(point);
   }
   template <typename Other>
   void operator()(const Other&) const {}
@@ -114,13 +134,34 @@ Scene load_scene(const std::string& name_or_path, std::span<const std::string> o
   return read_scene(named_text(name_or_path, "scene", embedded_scenes), name_or_path, overrides);
 }
 
+void refuse_on_workbench(const Scene& scene, std::string_view shown_path) {
+  if (!is_general(scene.settings)) return;
+  throw ReadError(ReadError::Kind::wrong, {{.file = std::string(shown_path),
+                                            .what = std::string(not_on_workbench),
+                                            .remedy = "look at it on the stage: --view stage"}});
+}
+
+namespace {
+
+// Whether a file of the scene tells that key, with that value.
+bool is_told(const Scene& scene, const SceneKey& key, std::string_view value) {
+  if (value.empty() || !belongs(key, scene)) return false;
+  return !key.is_omitted_when_default || value != value_text(Scene{}, key);
+}
+
+}  // namespace
+
+int format_of(const Scene& scene) {
+  return is_general(scene.settings) ? 2 : 1;
+}
+
 std::string scene_text(const Scene& scene) {
   Scene copy = scene;  // the catalog gives access to members, not views of them
-  std::string text = "format = 1\n";
+  std::string text = fmt::format("format = {}\n", format_of(scene));
   std::string_view table;
   for (const SceneKey& key : scene_keys()) {
     const std::string value = std::visit(ValueText{copy}, key.value);
-    if (value.empty() || (key.is_omitted_when_default && value == value_text(Scene{}, key))) continue;
+    if (!is_told(scene, key, value)) continue;
     if (key.table != table) {
       table = key.table;
       text += fmt::format("\n[{}]\n", table);
@@ -184,7 +225,7 @@ struct ValueReader {
   void operator()(const TextKey& key) const { key.in(scene) = value.text(key.may_have_lines).value_or(""); }
 
   void operator()(const ChoiceKey& key) const {
-    if (const auto word = value.word(key.words)) key.set(scene, *word);
+    if (const auto word = value.word(words_of(key, scene))) key.set(scene, *word);
   }
 
   void operator()(const PointKey& key) const { key.in(scene) = read_point(value).value_or(Vector<2>(0.0)); }
@@ -215,6 +256,29 @@ struct ValueReader {
     for (std::size_t i = 0; i < count; ++i) key.in(scene).push_back(value[i].number(each).value_or(each.least));
   }
 
+  void operator()(const PairKey& key) const {
+    const auto pair = value.numbers<2>({key.least, key.greatest, limits.unit}, "give two numbers, as in [160, 120]");
+    if (pair) key.in(scene) = {(*pair)[0] / key.per_si, (*pair)[1] / key.per_si};
+  }
+
+  void operator()(const PointPairKey& key) const {
+    constexpr std::string_view remedy = "give two positions, [[x, y], [x, y]]";
+    const std::optional<std::size_t> count = value.count(remedy);
+    if (!count) return;
+    if (*count != 2) return value.refuse(fmt::format("has {} elements", *count), remedy);
+    for (std::size_t i = 0; i < 2; ++i) key.in(scene)[i] = read_point(value[i]).value_or(Vector<2>(0.0));
+  }
+
+  void operator()(const AnchorsKey& key) const {
+    constexpr std::string_view remedy = "give one to four positions, [[x, y], …]";
+    const std::optional<std::size_t> count = value.count(remedy);
+    if (!count) return;
+    if (*count < 1 || *count > most_motors) return value.refuse(fmt::format("has {} elements", *count), remedy);
+    Strings& strings = key.in(scene);
+    strings.count = static_cast<std::uint32_t>(*count);
+    for (std::size_t i = 0; i < *count; ++i) strings.anchors[i] = read_point(value[i]).value_or(Vector<2>(0.0));
+  }
+
   void operator()(const RangeKey& key) const {
     const auto ends =
         value.numbers<2>({key.range.least, key.range.greatest, limits.unit}, "give a range as [least, greatest]");
@@ -228,6 +292,30 @@ struct ValueReader {
   }
 };
 
+// Keys and kinds that the format has, and this version has not.
+struct LaterKey {
+  std::string_view table;
+  std::string_view name;
+};
+constexpr std::array later_keys{
+    LaterKey{"wall", "friction"},
+    LaterKey{"wall", "points_mm"},
+    LaterKey{"device", "tip_mm"},
+    LaterKey{"device", "motors"},
+    LaterKey{"device", "inertia_kg_m2"},
+    LaterKey{"device", "damping_N_m_s_per_rad"},
+    LaterKey{"user", "k_u_angle_N_m_per_rad"},
+    LaterKey{"rendering", "k_r_angle_N_m_per_rad"},
+};
+constexpr std::array<std::string_view, 2> later_kinds{"polyline", "stylus"};
+
+constexpr std::string_view follows_later = "follows in a later version";
+
+bool is_later_key(std::string_view dotted) {
+  return std::ranges::any_of(later_keys,
+                             [dotted](const LaterKey& key) { return dotted_name(key.table, key.name) == dotted; });
+}
+
 // KEY=VALUE, blanks around both allowed.
 void read_override(TomlReader& reader, std::string_view argument) {
   const std::size_t equals = argument.find('=');
@@ -235,6 +323,8 @@ void read_override(TomlReader& reader, std::string_view argument) {
   const SceneKey* const key = find_scene_key(name);
   if (equals == std::string_view::npos || name.empty()) {
     reader.refuse_override(argument, "give KEY=VALUE, for example rendering.k_r_N_per_m=800", "");
+  } else if (is_later_key(name)) {
+    reader.refuse_override(argument, fmt::format("the key {} {}", name, follows_later), "leave it out");
   } else if (key == nullptr && name != "format") {
     reader.refuse_override(argument, fmt::format("the key {} is unknown", quoted_text(name)), suggest_scene_key(name));
   } else {
@@ -244,18 +334,116 @@ void read_override(TomlReader& reader, std::string_view argument) {
   }
 }
 
+// One reading of a file: what its tables' kinds are, and what each key does about that.
+class SceneReading {
+ public:
+  SceneReading(TomlReader& reader, Scene& scene) : reader_(reader), scene_(scene) {
+    constexpr std::int64_t newest_format = 2;
+    const auto format = reader_.find("", "format");
+    is_newest_ = format ? format->as_integer() == newest_format : has_newer_key();
+    if (!reader_.has_known_format(newest_format, is_newest_ ? newest_format : 1)) reader_.finish();
+  }
+
+  void read() {
+    keys_.push_back({"", "format", nullptr});
+    for (const SceneKey& key : scene_keys()) add(key);
+    for (const LaterKey& key : later_keys) {
+      keys_.push_back(
+          {key.table, key.name, [](const TomlValue& value) { value.refuse(follows_later, "leave it out"); }});
+    }
+    reader_.read(keys_, [](std::string_view table, std::string_view name) { return suggest_scene_key(table, name); });
+    refuse_mixture();
+    reader_.finish();
+  }
+
+  void refuse(const SceneProblem& problem) {
+    reader_.find(problem.table, problem.name)->refuse(problem.what, problem.remedy);
+    reader_.finish();
+  }
+
+ private:
+  bool has_newer_key() const {
+    return std::ranges::any_of(scene_keys(), [this](const SceneKey& key) {
+      const auto value = key.format > 1 ? reader_.find(key.table, key.name) : std::nullopt;
+      return value && !value->is_override();
+    });
+  }
+
+  // Of the file; empty: it is none that is known.
+  std::string_view kind_in_file(std::string_view table) {
+    const std::span<const std::string_view> kinds = kinds_of(table);
+    if (kinds.empty()) return {};
+    const auto value = reader_.find(table, "kind");
+    if (!value) return kinds.front();
+    if (value->is_override()) overridden_.push_back(table);
+    const std::string* const word = value->as_text();
+    const auto found = word == nullptr ? kinds.end() : std::ranges::find(kinds, *word);
+    return found == kinds.end() ? std::string_view() : *found;
+  }
+
+  void add(const SceneKey& key) {
+    const std::string_view kind = kind_in_file(key.table);
+    const bool is_kind_known = !kind.empty() || kinds_of(key.table).empty();
+    const bool is_wanted = belongs_to_kind(key, kind);
+    const auto read = [this, &key, kind, is_kind_known, is_wanted](const TomlValue& value) {
+      if (key.name == "kind" && is_later_kind(value)) return;
+      if (key.format > 1 && !is_newest_ && !value.is_override()) {
+        value.refuse("is of format 2", "write format = 2 at the top of the file");
+      } else if (is_wanted) {
+        std::visit(ValueReader{scene_, value, limits_of(key).value_or(NumberLimits{.unit = unit_of(key.name)})},
+                   key.value);
+      } else if (is_kind_known && (value.is_override() || !is_kind_overridden(key.table))) {
+        value.refuse(fmt::format("belongs to kind {}, and this {} is of kind '{}'", kinds_text(key), key.table, kind),
+                     fmt::format("leave it out, or write kind = \"{}\"", key.kinds.substr(0, key.kinds.find(' '))));
+      }
+    };
+    keys_.push_back({key.table, key.name, read,
+                     key.required && is_wanted && is_kind_known ? std::optional(std::string_view()) : std::nullopt});
+  }
+
+  bool is_kind_overridden(std::string_view table) const {
+    return std::ranges::find(overridden_, table) != overridden_.end();
+  }
+
+  static std::string kinds_text(const SceneKey& key) {
+    std::string text = "'";
+    for (const char c : key.kinds) text += c == ' ' ? "' or '" : std::string(1, c);
+    return text + "'";
+  }
+
+  static bool is_later_kind(const TomlValue& value) {
+    const std::string* const word = value.as_text();
+    if (word == nullptr || std::ranges::find(later_kinds, *word) == later_kinds.end()) return false;
+    value.refuse(fmt::format("is '{}', which {}", *word, follows_later), "choose another kind");
+    return true;
+  }
+
+  // Keys that each make sense alone.
+  void refuse_mixture() {
+    const auto ratio = reader_.find("rendering", "tracking_ratio");
+    if (ratio && is_general(scene_.settings) && (is_newest_ || ratio->is_override())) {
+      ratio->refuse("belongs to scenes of format 1",
+                    "write compliance_share instead: 0 is naïve rendering, 1 the cure");
+    }
+    const auto first = reader_.find("user", "k_u_first_deg");
+    if (first && !scene_.settings.general.k_u_second) {
+      first->refuse("is the direction of a hand with two stiffnesses", "give k_u_second_N_per_m too, or leave it out");
+    }
+  }
+
+  TomlReader& reader_;
+  Scene& scene_;
+  bool is_newest_ = false;
+  std::vector<TomlKey> keys_;
+  std::vector<std::string_view>
+      overridden_;  // tables whose kind is another than the file's: its keys of that say nothing
+};
+
 }  // namespace
 
-Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides) {
+Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides,
+                 SceneChecks asks) {
   Scene scene;
-  std::vector<TomlKey> keys{{"", "format", nullptr}};
-  for (const SceneKey& key : scene_keys()) {
-    const auto read = [&](const TomlValue& value) {
-      std::visit(ValueReader{scene, value, limits_of(key).value_or(NumberLimits{.unit = unit_of(key.name)})},
-                 key.value);
-    };
-    keys.push_back({key.table, key.name, read, key.required ? std::optional("") : std::nullopt});
-  }
   TomlReader reader(shown_path);
   if (!reader.parse(text)) reader.finish();
   if (reader.is_empty()) {
@@ -263,13 +451,11 @@ Scene read_scene(std::string_view text, std::string_view shown_path, std::span<c
     reader.finish();
   }
   for (const std::string& override : overrides) read_override(reader, override);
-  if (!reader.has_known_format()) reader.finish();
-  reader.read(keys, [](std::string_view table, std::string_view name) { return suggest_scene_key(table, name); });
-  reader.finish();
-  if (const std::optional<SceneProblem> problem = find_problem(scene)) {
-    reader.find(problem->table, problem->name)->refuse(problem->what, problem->remedy);
-    reader.finish();
-  }
+  SceneReading reading(reader, scene);
+  reading.read();
+  std::optional<SceneProblem> problem = find_problem(scene);
+  if (!problem && asks == SceneChecks::all) problem = find_workspace_problem(scene);
+  if (problem) reading.refuse(*problem);
   return scene;
 }
 

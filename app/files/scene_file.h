@@ -2,6 +2,7 @@
 // scenes are part of the program. Not for the servo thread.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -18,7 +19,15 @@ namespace ghostforce {
 // before the file. `shown_path` is what messages call the file. Throws ReadError(wrong), one line per problem:
 //     FILE:LINE:COLUMN: the key KEY: what is wrong; what to do
 //     --set KEY=VALUE: the key KEY: what is wrong; what to do
-Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides = {});
+//
+// A general scene is of format 2; a file that says nothing of it is of format 1. Overrides may make a general scene of
+// either. Where one of them chooses another kind, the file's keys of its own kind say nothing.
+enum class SceneChecks : std::uint8_t {
+  all,
+  all_but_workspace,  // whether the hand's way lies where the device can be: settings that change as people drag them
+};
+Scene read_scene(std::string_view text, std::string_view shown_path, std::span<const std::string> overrides = {},
+                 SceneChecks asks = SceneChecks::all);
 
 // "wall45", "fig1" …, sorted by name; their texts are in embedded_scenes.h.
 std::vector<std::string_view> shipped_scene_names();
@@ -32,6 +41,15 @@ bool may_be_scene(const std::string& name_or_path);
 // A shipped scene or a file. A word without '/' that names a shipped scene is that one. Throws ReadError: wrong where
 // there is none, or where its text is wrong; unreadable.
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides = {});
+
+inline constexpr std::string_view not_on_workbench = "the workbench does not show scenes of format 2 yet";
+
+// What the workbench of this version does not show: general scenes. Throws ReadError(wrong), one sentence; `shown_path`
+// is what it calls the scene.
+void refuse_on_workbench(const Scene& scene, std::string_view shown_path);
+
+// The number of the format that scene_text() writes.
+int format_of(const Scene& scene);
 
 // The scene as a file. Reads back bit for bit, each number in the shortest decimal that does so in the file's unit,
 // provided that the scene came from a file or from rounded_to_file().

@@ -91,7 +91,7 @@ std::vector<std::string> dotted_names(KeyKind kind) {
 }
 
 std::string_view unit_of(std::string_view key_name) noexcept {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 9> units{{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> units{{
       {"_N_s_per_m", "N·s/m"},
       {"_N_per_m", "N/m"},
       {"_mm", "mm"},
@@ -101,6 +101,7 @@ std::string_view unit_of(std::string_view key_name) noexcept {
       {"_kg", "kg"},
       {"_hz", "Hz"},
       {"_s", "s"},
+      {"_N", "N"},
   }};
   for (const auto& [end, unit] : units) {
     if (key_name.ends_with(end)) return unit;

@@ -8,16 +8,14 @@
 
 #include <fmt/format.h>
 
-#include "app/base/quoted.h"
 #include "app/base/typed_text.h"
-#include "app/files/read_error.h"
 #include "app/files/toml_parse.h"
 
 namespace ghostforce {
 namespace {
 
 constexpr std::string_view format_name = "format";
-constexpr std::int64_t known_format = 1;
+constexpr std::int64_t oldest_format = 1;
 
 // Where something is wrong; sorts as a person reads.
 struct Place {
@@ -68,9 +66,9 @@ std::optional<toml::table> parse_override(bool holds_text, std::string_view valu
 }
 
 const TomlKey* find_key(std::span<const TomlKey> keys, std::string_view table, std::string_view name) {
-  const auto found =
-      std::ranges::find_if(keys, [&](const TomlKey& key) { return key.table == table && key.name == name; });
-  return found == keys.end() ? nullptr : &*found;
+  for (const TomlKey& key : keys)
+    if (key.table == table && key.name == name) return &key;
+  return nullptr;
 }
 
 bool contains(std::span<const std::string_view> words, std::string_view word) {
@@ -83,6 +81,13 @@ std::vector<std::string_view> tables_of(std::span<const TomlKey> keys) {
     if (!key.table.empty() && !contains(tables, key.table)) tables.push_back(key.table);
   }
   return tables;
+}
+
+std::vector<std::string_view> needed_in(std::span<const TomlKey> keys, std::string_view table) {
+  std::vector<std::string_view> needed;
+  for (const TomlKey& key : keys)
+    if (key.table == table && key.if_missing) needed.push_back(key.name);
+  return needed;
 }
 
 std::string suggestion(std::string_view name, std::span<const std::string_view> here) {
@@ -99,15 +104,12 @@ std::string suggestion(std::span<const TomlKey> keys, std::string_view table, st
     }
     if (key.table == table) here.push_back(key.name);
   }
-  if (table.empty()) {
-    std::ranges::copy(tables_of(keys), std::back_inserter(here));
-  }
+  if (table.empty()) std::ranges::copy(tables_of(keys), std::back_inserter(here));
   return suggestion(name, here);
 }
 
 ReadProblem problem(std::string what, std::string_view remedy) {
-  constexpr std::string_view joint = "; ";
-  if (remedy.starts_with(joint)) remedy.remove_prefix(joint.size());
+  if (remedy.starts_with("; ")) remedy.remove_prefix(2);
   return {.what = std::move(what), .remedy = std::string(remedy)};
 }
 
@@ -164,6 +166,11 @@ void TomlValue::refuse_type(std::string_view remedy, std::string_view verb) cons
 
 ReadProblem TomlValue::place() const {
   return reader_->content_->at(TomlReader::Content::place_of(*this), {});
+}
+
+std::optional<std::int64_t> TomlValue::as_integer() const {
+  const auto* const number = node_at(node_).as_integer();
+  return number == nullptr ? std::nullopt : std::optional(number->get());
 }
 
 const std::string* TomlValue::as_text() const {
@@ -360,19 +367,22 @@ std::optional<TomlValue> TomlReader::find(std::string_view table, std::string_vi
 
 // --- What is there and what is not ---
 
-bool TomlReader::has_known_format() {
+bool TomlReader::has_known_format(std::int64_t newest, std::int64_t meant) {
   const auto value = find("", format_name);
+  const std::string remedy =
+      newest == oldest_format ? "write format = 1" : fmt::format("write format = 1 or {}", newest);
   if (!value) {
-    refuse("the key format is missing", "start the file with format = 1");
+    refuse("the key format is missing", fmt::format("start the file with format = {}", meant));
     return true;
   }
   const auto* const number = node_at(value->node_).as_integer();
   if (number == nullptr) {
-    value->refuse_type("write format = 1");
-  } else if (number->get() < known_format) {
-    value->refuse(fmt::format("is {}", number->get()), "write format = 1");
-  } else if (number->get() > known_format) {
-    value->refuse(fmt::format("is {}, but this program only knows format 1", number->get()),
+    value->refuse_type(remedy);
+  } else if (number->get() < oldest_format) {
+    value->refuse(fmt::format("is {}", number->get()), remedy);
+  } else if (number->get() > newest) {
+    const std::string known = newest == oldest_format ? "format 1" : fmt::format("formats 1 to {}", newest);
+    value->refuse(fmt::format("is {}, but this program only knows {}", number->get(), known),
                   "a newer version may read it");
     return false;
   }
@@ -416,14 +426,15 @@ void TomlReader::find_unknown() {
 }
 
 void TomlReader::find_missing() {
-  std::vector<std::string_view> absent_tables;
+  std::vector<std::string_view> absent;
   for (const TomlKey& key : content_->keys) {
     if (!key.if_missing || find(key.table, key.name)) continue;
     const toml::node* const table = content_->file.get(key.table);
     if (!key.table.empty() && table == nullptr) {
-      if (contains(absent_tables, key.table)) continue;
-      absent_tables.push_back(key.table);
-      refuse(fmt::format("the table [{}] is missing", key.table), "");
+      if (contains(absent, key.table)) continue;
+      absent.push_back(key.table);
+      const std::string with = fmt::format("write it with {}", listed(needed_in(content_->keys, key.table)));
+      refuse(fmt::format("the table [{}] is missing", key.table), with);
     } else if (key.table.empty() || table->is_table()) {
       content_->problems.add(
           key.table.empty() ? Place{} : in_file(table->source().begin),

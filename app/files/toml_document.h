@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
@@ -40,6 +41,10 @@ class TomlValue {
  public:
   // Null: it is no text.
   const std::string* as_text() const;
+  // Empty: it is no integer.
+  std::optional<std::int64_t> as_integer() const;
+  // Whether it comes from --set, not from the file.
+  bool is_override() const noexcept { return override_number_ != 0; }
 
   std::optional<double> number(const NumberLimits& limits) const;
   std::optional<bool> yes_or_no() const;
@@ -131,8 +136,9 @@ class TomlReader {
   void override_key(std::string_view argument, std::string_view key, std::string_view value, bool holds_text);
   void refuse_override(std::string_view argument, std::string_view what, std::string_view remedy);
 
-  // The key format at the top of the file is 1. False: nothing else in the file can be relied on.
-  bool has_known_format();
+  // The key format at the top of the file is a number from 1 to `newest`; a file without it is told to write `meant`.
+  // False: nothing else in the file can be relied on.
+  bool has_known_format(std::int64_t newest = 1, std::int64_t meant = 1);
 
   // Tells of what is unknown and missing, and reads the values in the order of the list. Without `suggest`, a key of
   // the list is proposed. The list must live until the problems have been told.

@@ -1,5 +1,9 @@
 #include "app/files/toml_parse.h"
 
+#include <array>
+#include <string>
+#include <string_view>
+
 #include "app/base/quoted.h"
 
 namespace ghostforce {
@@ -10,6 +14,23 @@ namespace {
 constexpr int most_dots = 256;
 
 constexpr std::size_t longest_description = 400;
+
+// What the library says, and what a person has to do about it. Its position is where it noticed.
+struct PlainWords {
+  std::string_view library;  // a part of its words
+  std::string_view plain;
+};
+constexpr std::array plain_words{
+    PlainWords{"unescaped control characters", "a text in quotes does not end on its line; add the closing quote"},
+    PlainWords{"expected comma or closing ']'", "an array before this place has no end; add a comma or a ]"},
+};
+
+std::string plain(std::string_view description) {
+  for (const PlainWords& words : plain_words) {
+    if (description.find(words.library) != std::string_view::npos) return std::string(words.plain);
+  }
+  return quoted_text(description, longest_description);
+}
 
 // Looks at each line for itself: a name never spans lines. What it takes for a name inside a text of several lines is
 // none, and would need as many dots.
@@ -51,7 +72,7 @@ ParsedToml parse_toml(std::string_view text) {
   try {
     return {toml::parse(text), std::nullopt};
   } catch (const toml::parse_error& error) {
-    return {{}, TomlProblem{error.source().begin, quoted_text(error.description(), longest_description)}};
+    return {{}, TomlProblem{error.source().begin, plain(error.description())}};
   }
 }
 

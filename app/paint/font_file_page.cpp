@@ -1,7 +1,5 @@
 #include "app/paint/font_file.h"
 
-#include <string>
-
 namespace ghostforce {
 
 // The page brings them along in its memory.

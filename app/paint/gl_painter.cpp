@@ -4,9 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "app/paint/area_coverage.h"
 #include "app/paint/shaders.h"
-#include "app/picture/marks.h"
 
 namespace ghostforce {
 namespace {

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/files/scene_file.h"
-#include "app/picture/panes.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -44,7 +43,7 @@ void add_path(const Scene& scene, const Theme& theme, double width, Marks& marks
 
 Pane pane_at_rest(const Scene& scene, const Theme& theme, const Vector<2>& size, double scale) {
   const Vector<2> goal = scene.goal.points.back();
-  const Snapshot rest = snapshot_of(coefficients_of(scene.settings), equilibrium_state(scene.settings, goal));
+  const Snapshot rest = snapshot_of(loop_coefficients_of(scene.settings), equilibrium_state(scene.settings, goal));
   const History nothing;
   const MeasureText no_words = [](std::string_view, const TextStyle&) { return Vector<2>(0.0); };
   std::vector<Pane> panes = compose_panes({.settings = scene.settings,
@@ -88,8 +87,8 @@ unsigned int SceneGallery::picture(std::size_t number, const Theme& theme, int w
 
 unsigned int PictureGallery::picture(std::size_t number, std::size_t count, const Theme& theme, int width, int height,
                                      const std::function<Pane(std::size_t)>& pane_of) {
-  if (theme_ != &theme || width_ != width || height_ != height) {
-    theme_ = &theme;
+  if (theme_ != theme || width_ != width || height_ != height) {
+    theme_ = theme;
     width_ = width;
     height_ = height;
     pictures_.clear();

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,7 @@ class PictureGallery {
 
  private:
   GlPainter& painter_;
-  const Theme* theme_ = nullptr;  // of the pictures
+  std::optional<Theme> theme_;  // of the pictures
   int width_ = 0;
   int height_ = 0;
   std::vector<gl::Texture> pictures_;  // all of them, or none yet

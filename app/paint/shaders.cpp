@@ -1,7 +1,6 @@
 #include "app/paint/shaders.h"
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <vector>
 

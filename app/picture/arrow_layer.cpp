@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "app/picture/layers.h"
+#include "core/scene_shape.h"
 #include "core/wall.h"
 
 namespace ghostforce {
@@ -71,9 +72,10 @@ std::optional<Ruler> drift_ruler(const View& view) {
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(view.settings.active)];
   if (!(glm::length(now.proxy_drift) >= smallest_drift)) return std::nullopt;  // NaN: it is unknown
   const Vector<2> aim = view.snapshot.has_target && view.target ? *view.target : view.snapshot.goal;
-  const Wall<2> wall = wall_of(view.settings);
+  const Wall<2> wall = wall_near(view.settings, now.contact);
   const Vector<2> aside = wall.normal * view.metres(ruler_out);
-  return Ruler{projection(wall, aim) + aside, projection(wall, now.contact) + aside, aim, now.contact};
+  return Ruler{foot_on_edge(view.settings, aim) + aside, foot_on_edge(view.settings, now.contact) + aside, aim,
+               now.contact};
 }
 
 // As a drawing has it: thin lines lead from what is measured to the ends of the ruler, and a little beyond.

@@ -1,7 +1,5 @@
 #include "app/picture/camera.h"
 
-#include <algorithm>
-
 #include "app/picture/screen_box.h"
 
 namespace ghostforce {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <span>
 
+#include <glm/geometric.hpp>
+
 #include "core/conventions.h"
 
 namespace ghostforce {
@@ -28,6 +30,11 @@ inline Vector<2> to_world(const Camera& camera, const Vector<2>& screen) noexcep
 // A direction on screen (y down) for one in the world (y up), same length.
 inline Vector<2> to_screen_direction(const Vector<2>& world) noexcept {
   return {world.x, -world.y};
+}
+
+// As far from there as any point that it shows, and farther [m].
+inline double reach_of(const Camera& camera, const Vector<2>& from) noexcept {
+  return glm::length(camera.size) / camera.points_per_metre + glm::distance(camera.center, from);
 }
 
 // Shows at least `width` [m] across and three quarters of it up and down: a wide rectangle must not crop the height.

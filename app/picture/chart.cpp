@@ -1,7 +1,5 @@
 #include "app/picture/chart.h"
 
-#include <optional>
-
 namespace ghostforce {
 namespace {
 

@@ -1,6 +1,5 @@
 #include "app/picture/glossary.h"
 
-#include <array>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -164,6 +163,9 @@ constexpr std::array roles{
     RoleEntry{Role::guess, "guess", std::nullopt},
     RoleEntry{Role::area, "area", std::nullopt},
     RoleEntry{Role::map, "map", std::nullopt},
+    RoleEntry{Role::linkage, "linkage", std::nullopt},
+    RoleEntry{Role::joint, "joint", std::nullopt},
+    RoleEntry{Role::reach, "reach", std::nullopt},
     RoleEntry{Role::sentence, "sentence", std::nullopt},
     RoleEntry{Role::number, "number", std::nullopt},
     RoleEntry{Role::button, "button", std::nullopt},

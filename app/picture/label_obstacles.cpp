@@ -135,17 +135,22 @@ bool LabelObstacles::is_free(const ScreenBox& box, double air, Clearance clearan
   for (const ScreenBox& other : boxes_) {
     if (overlap(airy, other) > 0.0) return false;
   }
-  for (const ThickLine& line : lines_) {
-    if (clearance == Clearance::if_possible && line.clearance == Clearance::if_possible) continue;
-    const double reach = line.radius + air;
-    const ScreenBox grown = box.grown(reach);
-    if (std::max(line.from.x, line.to.x) <= grown.least.x || std::min(line.from.x, line.to.x) >= grown.most.x ||
-        std::max(line.from.y, line.to.y) <= grown.least.y || std::min(line.from.y, line.to.y) >= grown.most.y) {
-      continue;
-    }
-    if (distance_to_box(box, line.from, line.to) < reach) return false;
+  return std::ranges::none_of(lines_, [&](const ThickLine& line) { return is_near(line, box, air, clearance); });
+}
+
+bool LabelObstacles::is_crossed(const ScreenBox& box, Clearance clearance) const {
+  return std::ranges::any_of(lines_, [&](const ThickLine& line) { return is_near(line, box, 0.0, clearance); });
+}
+
+bool LabelObstacles::is_near(const ThickLine& line, const ScreenBox& box, double air, Clearance clearance) {
+  if (clearance == Clearance::if_possible && line.clearance == Clearance::if_possible) return false;
+  const double reach = line.radius + air;
+  const ScreenBox grown = box.grown(reach);
+  if (std::max(line.from.x, line.to.x) <= grown.least.x || std::min(line.from.x, line.to.x) >= grown.most.x ||
+      std::max(line.from.y, line.to.y) <= grown.least.y || std::min(line.from.y, line.to.y) >= grown.most.y) {
+    return false;
   }
-  return true;
+  return distance_to_box(box, line.from, line.to) < reach;
 }
 
 bool LabelObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const {

@@ -26,6 +26,8 @@ class LabelObstacles {
 
   // Whether a box has so much air to all of them.
   bool is_free(const ScreenBox& box, double air, Clearance clearance) const;
+  // Whether a line runs through a box; with if_possible, one that is not long and thin.
+  bool is_crossed(const ScreenBox& box, Clearance clearance) const;
   // Whether a thin line crosses none but the long and thin ones.
   bool can_pass(const Vector<2>& from, const Vector<2>& to) const;
 
@@ -48,6 +50,8 @@ class LabelObstacles {
     double radius;
     Clearance clearance;
   };
+  static bool is_near(const ThickLine& line, const ScreenBox& box, double air, Clearance clearance);
+
   std::vector<ThickLine> lines_;
   std::vector<ScreenBox> boxes_;
 };

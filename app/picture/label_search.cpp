@@ -23,6 +23,7 @@ constexpr double break_cost = 14.0;      // for two lines,
 constexpr double split_cost = 30.0;      // and of words that are short enough for one
 constexpr double leader_cost = 45.0;     // for a line to what it names
 constexpr double ambiguity_cost = 40.0;  // for one that is nearer to something else,
+constexpr double cover_cost = 60.0;      // for one on a long thin thing
 constexpr double full_ambiguity = 20.0;  // by so much
 
 // A choice that is large enough; places that are nearly the same count once.
@@ -120,9 +121,12 @@ std::optional<LabelOption> LabelSearch::at(const LabelPlace& place, double air) 
   const ScreenBox box{middle - 0.5 * form.extent, middle + 0.5 * form.extent};
   const Vector<2> edge(points(edge_of_labels));
   if (!lies_within({edge, room_.size - edge}, box)) return std::nullopt;
-  if (!room_.obstacles.is_free(box, points(air), Clearance::always)) return std::nullopt;
+  const bool is_clear = room_.obstacles.is_free(box, points(air), Clearance::always);
+  const bool may_stand = request_.may_cover && room_.obstacles.is_free(box, points(air), Clearance::if_possible);
+  if (!is_clear && !may_stand) return std::nullopt;
   const double aligned = place.side.x < -0.5 ? 1.0 : place.side.x > 0.5 ? 0.0 : 0.5;
   LabelOption option{place, {form.lines, box, aligned}, cost_of(place) + cost_of_doubt(box)};
+  if (!is_clear) option.cost += cover_cost;
   if (place.reach > far_reach) {
     const Vector<2> nearest = glm::clamp(anchor, box.least, box.most);
     const Vector<2> gap = nearest - anchor;

@@ -41,6 +41,7 @@ struct LabelRequest {
   bool is_of_long_thing = false;      // which nobody takes for something else, however near other words stand
   double ambiguity_weight = 1.0;      // how bad it is to stand nearer to something else, against the usual
   std::optional<LabelBlock> block{};  // instead of all that: where these words are to stand
+  bool may_cover = false;             // what is long and thin, where there is no better place
 };
 
 // A place relative to what is named, with which it moves.

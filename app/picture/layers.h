@@ -13,6 +13,7 @@
 namespace ghostforce {
 
 void add_wall(const View& view, Marks& marks);         // grid, wall, hatching
+void add_mechanism(const View& view, Marks& marks);    // links, joints and strings of the active device
 void add_trails(const View& view, Marks& marks);       // where goal and devices have been
 void add_hand(const View& view, Marks& marks);         // the spring from the goal to the active device
 void add_loop(const View& view, Marks& marks);         // the active device's last turn of the circle test

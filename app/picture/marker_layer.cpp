@@ -1,4 +1,5 @@
 #include "app/picture/layers.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -59,7 +60,7 @@ void add_proxy(const View& view, Marks& marks) {
   const StrategySnapshot<2>& now = view.snapshot.strategies[index_of(id)];
   if (!now.in_contact) return;  // in free space the proxy is the device
   const Colour colour = view.theme.strategy[index_of(id)];
-  const Vector<2> tick = wall_of(view.settings).normal * view.metres(7.0);
+  const Vector<2> tick = wall_near(view.settings, now.contact).normal * view.metres(7.0);
   marks.push_back(
       {Role::tracking_link, id, Line{now.device, now.proxy, view.points(1.4), mix(view.theme.wall, colour, 0.7)}});
   marks.push_back({Role::contact, id, Line{now.contact - tick, now.contact + tick, view.points(2.2), colour}});

@@ -113,6 +113,7 @@ Marks compose(const View& view, PaneMemory& memory, double interval_s, Marks ear
   Marks marks = std::move(earlier);
   marks.clear();
   add_wall(view, marks);
+  add_mechanism(view, marks);
   if (view.options.trails) add_trails(view, marks);
   add_loop(view, marks);
   add_hand(view, marks);

@@ -71,6 +71,8 @@ struct Theme {
   Colour panel, panel_field, panel_border, accent;
   Colour excess, shortfall;  // of a force: the deep ends of a map's colours, and the letters that go with them
   Colour problem;            // the border of bad news
+
+  friend constexpr bool operator==(const Theme&, const Theme&) noexcept = default;
 };
 
 std::span<const Theme> theme_catalog() noexcept;

@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "app/picture/layers.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -38,10 +39,9 @@ void for_each_step(const View& view, Visit&& visit) {
 
 void add_trails(const View& view, Marks& marks) {
   const LinePattern dots = scaled(dotted_line, view);
-  const Wall<2> wall = wall_of(view.settings);
   // Mixed rather than let through, so that overlapping strokes do not darken.
   const auto on_ground = [&](const Vector<2>& at, Colour colour, double share) {
-    return mix(depth(wall, at) > 0.0 ? view.theme.wall : view.theme.background, colour, share);
+    return mix(depth_in_wall(view.settings, at) > 0.0 ? view.theme.wall : view.theme.background, colour, share);
   };
   for_each_step(view, [&](const HistoryPoint& from, const HistoryPoint& to, double strength) {
     const Colour colour = on_ground(to.goal, view.theme.faint_text, tint_of_goal * strength);

@@ -16,7 +16,6 @@
 #include "app/base/interruption.h"
 #include "app/files/descriptor.h"
 #include "app/files/output_file.h"
-#include "app/files/run.h"
 
 namespace ghostforce {
 namespace {
@@ -26,10 +25,12 @@ void append_recording_row(fmt::memory_buffer& rows, const Sample& sample, Strate
   const Vector<2> sent = is_active ? sample.sent : Vector<2>(0.0);
   const Vector<2> tone = is_active ? sample.tone : Vector<2>(0.0);
   append_run_row(rows, sample.snapshot, id);
-  fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{},{},{},{},{},{},{},{}\n"), is_active ? 1 : 0,
+  fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{},{},{},{},{},{},{},{},{}"), is_active ? 1 : 0,
                  sample.snapshot.measured ? "estimated" : "given",
                  sample.snapshot.measured == id ? "measured" : "simulated", sent.x, sent.y,
                  is_active && sample.is_saturated ? 1 : 0, sample.loop_s, tone.x, tone.y);
+  append_efforts(rows, sample.settings, sample.contacts[index_of(id)].efforts);
+  rows.push_back('\n');
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "app/runs/replay.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -66,7 +65,7 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
   if (!on_tick_) return;
   PerStrategy<Vector<2>> tones;
   std::ranges::transform(state_.strategies, tones.begin(), &TickState<2>::StrategyState::tone);
-  on_tick_({snapshot, *settings_, state, is_known_, tones});
+  on_tick_({snapshot, *settings_, state, is_known_, tones, contact_readings_of(state_)});
 }
 
 // False: the state at this tick cannot be known.
@@ -83,7 +82,7 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const Stiffnes
     is_known_.fill(false);
   } else {
     if (!stiffness.is_empty()) {
-      set_user_stiffness(coefficients_, stiffness_at(stiffness, time_of(tick.tick, coefficients_.rate)));
+      set_user_stiffness(coefficients_, stiffness_at(stiffness, time_of(tick.tick, coefficients_.rate())));
     }
     follow(tick);
   }
@@ -93,11 +92,11 @@ bool Replay::go_to(const RunTick& tick, const Settings& settings, const Stiffnes
 
 void Replay::use(const Settings& settings) {
   // As the servo goes on at another rate: model time does.
-  if (settings_ && coefficients_.rate != settings.rate) {
-    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
+  if (settings_ && coefficients_.rate() != settings.rate) {
+    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate()) * settings.rate);
   }
   settings_ = settings;
-  coefficients_ = coefficients_of(settings);
+  coefficients_ = loop_coefficients_of(settings);
 }
 
 void Replay::follow(const RunTick& now) {
@@ -114,7 +113,7 @@ void Replay::follow(const RunTick& now) {
   }
   auto& measured = state_.strategies[i];
   measured.motion.position = now.rows[i]->device;
-  measured.motion.velocity = (now.rows[i]->device - before.strategies[i].motion.position) * coefficients_.rate;
+  measured.motion.velocity = (now.rows[i]->device - before.strategies[i].motion.position) * coefficients_.rate();
   measured.proxy = now.rows[i]->proxy;
   measured.in_contact = measured.proxy != measured.motion.position;
 }
@@ -204,7 +203,9 @@ TickState<2> recorded_state(const RunTick& tick, const RunState& state) {
                            .proxy = row.proxy,
                            .energy = state.energy[i],
                            .in_contact = row.proxy != row.device,
-                           .tone = tone_on_simulated(tick, i)};
+                           .tone = tone_on_simulated(tick, i),
+                           .force = row.force,
+                           .contact = {.efforts = row.efforts}};
   }
   return whole;
 }

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "app/files/run.h"
+#include "core/general_tick.h"
 #include "core/goal_path.h"
 #include "core/snapshot.h"
 #include "core/tick.h"
@@ -77,6 +78,7 @@ struct ReplayedTick {
   const RunState* state;
   PerStrategy<bool> is_known;    // whose numbers follow from the run; others mean nothing
   PerStrategy<Vector<2>> tones;  // at simulated devices, until the next tick [N]
+  ContactReadings contacts;      // in general scenes
 };
 
 // Takes a run tick by tick, so that its length does not matter. Goes on through divergences, on its own numbers.
@@ -99,7 +101,7 @@ class Replay {
   std::function<void(const ReplayedTick&)> on_tick_;
   ReplayReport report_;
   std::optional<Settings> settings_;  // of the coefficients
-  TickCoefficients<2> coefficients_{};
+  LoopCoefficients coefficients_{};
   TickState<2> state_;
   PerStrategy<bool> is_known_{};
   bool is_first_ = true;

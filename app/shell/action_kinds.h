@@ -4,7 +4,6 @@
 
 #include <string_view>
 #include <tuple>
-#include <type_traits>
 #include <variant>
 
 #include "app/state/action.h"
@@ -53,6 +52,8 @@ inline constexpr auto action_kinds = std::tuple{
                                   line_field("kappa", &GoToLandscapePoint::point, &LandscapePoint::kappa)),
     line_kind<TurnMotorBy>("turn-motor-by", line_field("degrees", &TurnMotorBy::degrees)),
     line_kind<TurnWallToLargestDrift>("turn-wall-to-largest-drift"),
+    line_kind<MovePart>("move-part", line_field("part", &MovePart::part), line_field("to", &MovePart::to)),
+    line_kind<SwitchMotor>("switch-motor"),
     line_kind<TurnRatio>("turn-ratio", line_field("factor", &TurnRatio::factor)),
     // Strategies
     line_kind<ChooseStrategy>("choose-strategy", line_field("id", &ChooseStrategy::id),
@@ -100,6 +101,8 @@ inline constexpr auto action_kinds = std::tuple{
     line_kind<ChangeAppearance>("change-appearance", line_field("theme", &ChangeAppearance::after, &Appearance::theme),
                                 line_field("scale", &ChangeAppearance::after, &Appearance::scale),
                                 line_field("arrows", &ChangeAppearance::after, &Appearance::arrow_scale)),
+    line_kind<ChangeMotion>("change-motion", line_field("motion", &ChangeMotion::after)),
+    line_kind<FollowSystemMotion>("follow-system-motion", line_field("is-reduced", &FollowSystemMotion::after)),
     line_kind<ChangePlots>("change-plots", line_field("is-open", &ChangePlots::after, &PlotView::is_open),
                            line_field("tab", &ChangePlots::after, &PlotView::tab),
                            line_field("follows", &ChangePlots::after, &PlotView::follows),
@@ -159,6 +162,6 @@ inline constexpr auto action_kinds = std::tuple{
     line_kind<StartRecording>("start-recording", line_field("path", &StartRecording::path)),
     line_kind<StopRecording>("stop-recording"), line_kind<ResetPreferences>("reset-preferences")};
 
-static_assert(std::tuple_size_v<decltype(action_kinds)> == std::variant_size_v<Action>);
+static_assert(std::tuple_size_v<decltype(action_kinds)> == std::variant_size_v<AnyAction>);
 
 }  // namespace ghostforce

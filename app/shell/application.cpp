@@ -16,7 +16,6 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/target.h"
-#include "app/state/undo.h"
 #include "app/state/user_measurement_guide.h"
 #include "core/divergence.h"
 #include "core/simulate.h"
@@ -120,6 +119,18 @@ void Application::refuse_to_leave_for(const InputEntry& entry) const {
   if (const std::string why = link_->why_not_leave(); !why.empty()) throw Failure(ExitCode::device_failed, why);
 }
 
+namespace {
+
+// Forces of such a scene go to no motors.
+void refuse_motors_in_general_scene(Input& input, const InputEntry& entry, const Scene& scene) {
+  if (!is_general(scene.settings) || input.haptic_device() == nullptr) return;
+  throw Failure(ExitCode::wrong_call,
+                fmt::format("{}: {} has motors, and no motor follows a scene of format 2 yet; choose the mouse",
+                            quoted_text(scene.title), entry.title));
+}
+
+}  // namespace
+
 // A servo owns its input, so another input or another script is another servo; counts go on, so that what is asked for
 // later still looks new to it. An input that cannot be had leaves everything as it was.
 void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scene, const Settings& settings,
@@ -131,6 +142,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   try {
     refuse_to_leave_for(entry);  // it may not have answered just now
     made = make_in_hand_of(*scene, entry, input_options_);
+    refuse_motors_in_general_scene(*made.input, entry, *scene);
   } catch (...) {
     if (is_started_) start();
     throw;
@@ -157,6 +169,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
     session_.measured_k_u.reset();
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
+    if (is_general(session_.scene->settings)) session_.face = Face::stage;  // the workbench does not show it yet
     session_.stage_shown = stage_view_of(session_);
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));
@@ -175,7 +188,7 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
   report_ = {};
   log_ = {};
   report_.restarts = command_.restarts_asked;
-  report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
+  report_.snapshot = snapshot_of(loop_coefficients_of(session_.settings), command_.restart_state);
   if (is_started_) start();
 }
 
@@ -231,7 +244,7 @@ void Application::update(double interval_s) {
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
     // The servo has not seen the restart yet: show the state that it will start from.
-    report_.snapshot = snapshot_of(coefficients_of(session_.settings), command_.restart_state);
+    report_.snapshot = snapshot_of(loop_coefficients_of(session_.settings), command_.restart_state);
     report_.hand = {};
   }
   session_.time_s = report_.snapshot.time_s;

@@ -169,7 +169,8 @@ class Application {
   // As the picker of scenes asks for it: the dialog stays until there is something to show.
   void open_for_dialog(const std::string& name_or_path);
   void open_lesson(const std::string& name_or_path);
-  // A scene by name, or a file of any kind that file_kind.h knows.
+  struct FileKind;
+  // A scene by name, or a file of any of these kinds.
   void open(const std::string& name_or_path);
   void open_dropped(const std::vector<std::string>& paths);
   void open_scene(const std::string& name_or_path);

@@ -159,8 +159,13 @@ void Application::take_back(bool undo) {
   } else {
     show(*wanted);
   }
-  show_notice(undo ? fmt::format("Undone: {}.", words_of_change(*wanted, earlier))
-                   : fmt::format("Redone: {}.", words_of_change(earlier, *wanted)),
+  // Where it is read.
+  const bool is_on_stage = session_.face == Face::stage;
+  const StageLanguage& language = is_on_stage ? stage_language(session_.language) : english_stage;
+  const UndoState& before = undo ? *wanted : earlier;
+  const UndoState& after = undo ? earlier : *wanted;
+  show_notice(filled(undo ? language.changes.undone : language.changes.redone,
+                     is_on_stage ? words_of_change(before, after, language) : words_of_change(before, after)),
               false);
 }
 

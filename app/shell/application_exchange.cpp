@@ -1,6 +1,7 @@
 // What is handed on and taken in: files that are opened, set-ups that are copied and pasted.
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,12 +9,13 @@
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 #include "app/files/input_file.h"
+#include "app/files/run.h"
 #include "app/files/run_reader.h"
 #include "app/files/scene_file.h"
 #include "app/runs/replay.h"
 #include "app/shell/application.h"
-#include "app/shell/file_kind.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/mode_changes.h"
@@ -21,6 +23,91 @@
 #include "app/state/set_up_of.h"
 
 namespace ghostforce {
+namespace {
+
+bool has_line(std::string_view text, std::string_view beginning) {
+  for (std::size_t at = text.find(beginning); at != std::string_view::npos; at = text.find(beginning, at + 1)) {
+    if (at == 0 || text[at - 1] == '\n') return true;
+  }
+  return false;
+}
+
+bool begins_like_picture(std::string_view text) {
+  const bool is_svg = trimmed(text).starts_with('<') && text.find("<svg") != std::string_view::npos;
+  return text.starts_with("\x89PNG\r\n") || text.starts_with("%PDF-") || is_svg;
+}
+
+bool begins_like_run(std::string_view text) {
+  return text.starts_with("# ghostforce ") || has_line(text, run_columns);
+}
+
+// Every step of a lesson has such a line, and no scene has.
+bool begins_like_lesson(std::string_view text) {
+  return has_line(text, "[[step]]");
+}
+
+bool begins_like_scene(std::string_view text) {
+  return has_line(text, "format") || has_line(text, "[wall]");
+}
+
+bool ends_like(std::string_view path, std::string_view ending) {
+  if (ending.empty() || path.size() < ending.size()) return false;
+  return std::ranges::equal(path.substr(path.size() - ending.size()), ending, {},
+                            [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+}
+
+// Empty: there is none, or it cannot be read.
+std::optional<std::string> beginning_of(const std::string& path) {
+  constexpr std::size_t enough = 1 << 16;
+  std::string text;
+  const int error = read_pieces(path, [&text](std::string_view piece) {
+    text += piece;
+    return text.size() < enough;
+  });
+  return error == 0 ? std::optional(std::move(text)) : std::nullopt;
+}
+
+}  // namespace
+
+// What a file is that somebody opens or drops on the window. Its content tells, and its name only where that does not:
+// people rename files.
+struct Application::FileKind {
+  std::string_view words;
+  bool (*begins_like_one)(std::string_view beginning);
+  std::array<std::string_view, 3> endings;  // of names; empty: no more of them
+  void (Application::*open)(const std::string& path);
+
+  static const std::array<FileKind, 4> all;
+  static const FileKind& scene() noexcept { return all.back(); }
+
+  // Null: it is of another kind, or a folder, a pipe or the like; never waits for these. Where there is no file, or it
+  // cannot be read, a scene is meant: that may be a name, and its reader tells what is wrong.
+  static const FileKind* of(const std::string& path) {
+    if (!kind_instead_of_file(path).empty()) return nullptr;
+    const std::optional<std::string> beginning = beginning_of(path);
+    if (!beginning) return &scene();
+    for (const FileKind& kind : all) {
+      if (kind.begins_like_one(*beginning)) return &kind;
+    }
+    for (const FileKind& kind : all) {
+      if (std::ranges::any_of(kind.endings, [&](std::string_view ending) { return ends_like(path, ending); })) {
+        return &kind;
+      }
+    }
+    return nullptr;
+  }
+};
+
+// The first that fits.
+constexpr std::array<Application::FileKind, 4> Application::FileKind::all{{
+    {"a picture that ghostforce has saved (.png, .svg, .pdf)",
+     begins_like_picture,
+     {".png", ".svg", ".pdf"},
+     &Application::show_picture},
+    {"a recording (.csv)", begins_like_run, {".csv"}, &Application::replay_run},
+    {"a lesson (.toml)", begins_like_lesson, {}, &Application::open_lesson},
+    {"a scene (.toml)", begins_like_scene, {".toml"}, &Application::open_scene},
+}};
 
 void Application::open_for_dialog(const std::string& name_or_path) {
   if (session_.dialog != Dialog::open_scene) return open(name_or_path);
@@ -40,28 +127,20 @@ void Application::open_for_dialog(const std::string& name_or_path) {
 }
 
 void Application::open(const std::string& name_or_path) {
-  struct Opener {
-    FileKind kind;
-    void (Application::*open)(const std::string& path);
-  };
-  constexpr std::array openers{
-      Opener{FileKind::scene, &Application::open_scene},
-      Opener{FileKind::lesson, &Application::open_lesson},
-      Opener{FileKind::run, &Application::replay_run},
-      Opener{FileKind::picture, &Application::show_picture},
-  };
-  // For the rest the reader of scenes finds the words.
-  const FileKind kind = kind_of_file(name_or_path).value_or(FileKind::scene);
-  (this->*std::ranges::find(openers, kind, &Opener::kind)->open)(name_or_path);
+  // For what is of no kind the reader of scenes finds the words.
+  const FileKind* const kind = FileKind::of(name_or_path);
+  (this->*(kind != nullptr ? *kind : FileKind::scene()).open)(name_or_path);
 }
 
 void Application::open_dropped(const std::vector<std::string>& paths) {
   const std::string& path = paths.front();
   const std::string_view no_file = kind_instead_of_file(path);
-  if (!kind_of_file(path)) {
+  if (FileKind::of(path) == nullptr) {
+    std::string kinds;
+    for (const FileKind& kind : FileKind::all) kinds.append(kinds.empty() ? "" : "; ").append(kind.words);
     throw Failure(ExitCode::wrong_call,
                   fmt::format("{} is {}.\nWhat can be dropped here: {}.", quoted_text(path, longest_path),
-                              no_file.empty() ? "of no kind that can be opened" : no_file, file_kinds_words()));
+                              no_file.empty() ? "of no kind that can be opened" : no_file, kinds));
   }
   dismiss_notice();
   open(path);

@@ -8,7 +8,7 @@
 #include "app/state/stage_action.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"
-#include "app/widgets/save_path.h"
+#include "app/workbench/save_path.h"
 
 namespace ghostforce {
 
@@ -33,7 +33,7 @@ void Application::save_clip(const SaveClip& request) {
   clip_saving_.begin(request, scene, history_.moments(),
                      {.language = &stage_language(session_.language),
                       .keys = stage_keys(),
-                      .theme = session_.appearance.theme,
+                      .theme = &shown_theme(session_),
                       .measure = painter_.measure,
                       .shown = session_.stage_shown,
                       .reference_force = reference_force_of(scene.settings, scene.goal.points.back()),
@@ -54,7 +54,7 @@ std::string Application::picture_bytes(const SavePicture& request) {
   }
   // As large as on this display, without the handles, which are for a pointer.
   const double scale = session_.appearance.scale * static_cast<double>(window_.display_scale());
-  const Theme& theme = *session_.appearance.theme;
+  const Theme& theme = shown_theme(session_);
   const ShownMoment moment = shown();
   const std::vector<Pane> panes = screen_.panes_for_file(session_, moment, history_, reading(), painter_.measure);
   return painter_.paint({.panes = panes,

@@ -3,6 +3,7 @@
 #include "app/state/mode_changes.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/loop_energy.h"
+#include "core/scene_shape.h"
 #include "device/input/circle_input.h"
 
 namespace ghostforce {
@@ -15,7 +16,7 @@ class CircleInputLink final : public InputLink {
   void begin(Session& session) override {
     session.folded_panels.erase(std::string(round_panel));
     // The sense that is worth seeing: a wall that is rendered naïvely gives energy to the hand.
-    session.circle_test.choice.is_clockwise = makes_energy_clockwise(session.settings);
+    session.circle_test.choice.is_clockwise = makes_energy_clockwise(flattened(session.settings, session.goal));
     session.circle_test.is_on = true;
     session.circle_test.has_news = true;
     measure(session);
@@ -51,6 +52,12 @@ class CircleInputLink final : public InputLink {
   Settings settings_;
   std::uint32_t restarts_ = 0;
 };
+
+const InputMaker<CircleInput> circle_kind{
+    {circling_hand}, [](const Scene& scene, const InputOptions&) {
+      return std::make_unique<CircleInput>(
+          circle_inside(wall_near(scene.settings, scene.goal.points.back()), scene.goal.points.back(), {}));
+    }};
 
 }  // namespace
 

@@ -127,6 +127,17 @@ class VirtualFalconInputLink final : public FalconInputLink {
 
 }  // namespace
 
+const InputMaker<VirtualFalconInput> virtual_falcon_kind{
+    {{"virtual-falcon", "Virtual Falcon",
+      "The Falcon's driver with a simulated device and hand behind it; drag in the scene to guide that hand."},
+     /*is_scripted=*/false,
+     /*needs_recording=*/false,
+     /*hand_is_simulated=*/true},
+    [](const Scene& scene, const InputOptions& options) {
+      return std::make_unique<VirtualFalconInput>(options.falcon, options.injected_fault, scene,
+                                                  options.virtual_falcon_clock);
+    }};
+
 InputEntry falcon_entry(const InputMaker<FalconInput>& maker, const ReadinessOf& readiness_of) {
   return linked<FalconInputLink>(maker, readiness_of);
 }

@@ -1,7 +1,6 @@
 #include "app/shell/input_link.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "device/input/mouse_input.h"
 #include "device/input/scripted_input.h"
@@ -45,6 +44,25 @@ void PointerLink::send(Session& session, double interval_s) {
   target_.move_to(session.goal, interval_s * session.speed);
   sent_goal_ = session.goal;
 }
+
+namespace {
+
+const InputMaker<MouseInput> mouse_kind{
+    {mouse_hand}, [](const Scene&, const InputOptions&) { return std::make_unique<MouseInput>(); }};
+
+const InputMaker<ScriptedInput> script_kind{
+    {scripted_hand, /*is_scripted=*/true},
+    [](const Scene& scene, const InputOptions&) { return std::make_unique<ScriptedInput>(scene.goal); }};
+
+const InputMaker<ScriptedInput> replay_kind{
+    {replayed_hand,
+     /*is_scripted=*/true,
+     /*needs_recording=*/true},
+    [](const Scene& scene, const InputOptions& options) {
+      return std::make_unique<ScriptedInput>(options.recorded_hand ? *options.recorded_hand : scene.goal);
+    }};
+
+}  // namespace
 
 std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices) {
   std::vector<InputEntry> inputs{linked<PointerLink>(mouse_kind), linked<InputLink>(script_kind),

@@ -1,7 +1,7 @@
 // InputLink: what the window does with the input in use, frame by frame, and what that input shows on the screen. The
 // servo owns the input; its link, made together with it, is the only one here that knows of which class it is. A new
-// input with something to show is a file for the input, a file for its link, and a row in each catalog. A link is for
-// the UI thread; the lists of inputs are for any, and to make an input allocates and may throw.
+// input is a file for it in device, and a row in portable_inputs(); one with something to show has a file for its link
+// too. A link is for the UI thread; the lists of inputs are for any, and to make an input allocates and may throw.
 #pragma once
 
 #include <functional>
@@ -16,11 +16,35 @@
 #include "app/base/failure.h"
 #include "app/shell/receipt.h"
 #include "app/state/session.h"
+#include "core/scene.h"
 #include "core/snapshot.h"
+#include "device/falcon/falcon.h"
 #include "device/input/input.h"
-#include "device/input_catalog.h"
+#include "device/report/input_choice.h"
+#include "device/virtual_falcon/virtual_link.h"
 
 namespace ghostforce {
+
+// What making an input may need besides the scene.
+struct InputOptions {
+  FalconOptions falcon;
+  InjectedFault injected_fault;  // of the virtual Falcon
+  VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
+  std::shared_ptr<const GoalPath>
+      recorded_hand{};  // what replay replays; null: none is loaded, replay the scene's path
+};
+
+struct InputKind : InputChoice {
+  bool is_scripted = false;        // gives the same goal at the same tick in each run, and starts where its path does
+  bool needs_recording = false;    // InputOptions::recorded_hand
+  bool hand_is_simulated = false;  // though it has motors: a rehearsal
+};
+
+// A kind, and how one is made of it: as the class that it is.
+template <typename Made>
+struct InputMaker : InputKind {
+  std::function<std::unique_ptr<Made>(const Scene&, const InputOptions&)> make;
+};
 
 // How a run of the window ended: for scripts a number, for the people who read their logs a sentence.
 struct EndOfRun {
@@ -121,14 +145,17 @@ class PointerLink : public InputLink {
 // --- The inputs that need nothing but this program ---
 
 class FalconInput;
+class VirtualFalconInput;
 struct FalconReport;
 
 // How far a Falcon is, found out by who knows what to do about it; may be empty.
 using ReadinessOf =
     std::function<std::vector<ReadinessStepState>(const FalconReport& report, const MotorReport& motors)>;
 
-// All of device/input_catalog.h, each with its link, in the order in which people see them. `devices`: those that this
-// front of the program adds, which come before what rehearses them.
+extern const InputMaker<VirtualFalconInput> virtual_falcon_kind;
+
+// In the order in which people see them. `devices`: those that this front of the program adds, which come before what
+// rehearses them; the desktop's are in app/cli/desktop_inputs.h.
 std::vector<InputEntry> portable_inputs(const ReadinessOf& readiness_of, const std::vector<InputEntry>& devices = {});
 
 // A link that is more than a few lines is in a file of its own, which gives its row of the list.

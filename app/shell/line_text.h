@@ -45,6 +45,9 @@ LineChoices<Id> choices_from(const Catalog& catalog) {
 inline LineChoices<StrategyId> choices_of(std::type_identity<StrategyId>) {
   return choices_from<StrategyId>(strategy_catalog());
 }
+inline LineChoices<ScenePart> choices_of(std::type_identity<ScenePart>) {
+  return choices_from<ScenePart>(scene_part_catalog);
+}
 inline LineChoices<Face> choices_of(std::type_identity<Face>) {
   return choices_from<Face>(face_catalog);
 }
@@ -110,6 +113,9 @@ inline LineChoices<Dialog> choices_of(std::type_identity<Dialog>) {
 }
 inline LineChoices<BeliefSource> choices_of(std::type_identity<BeliefSource>) {
   return {{BeliefSource::typed, "typed"}, {BeliefSource::measured, "measured"}, {BeliefSource::live, "live"}};
+}
+inline LineChoices<ScreenMotion> choices_of(std::type_identity<ScreenMotion>) {
+  return {{ScreenMotion::as_system, "as-system"}, {ScreenMotion::full, "full"}, {ScreenMotion::reduced, "reduced"}};
 }
 inline LineChoices<SpaceMouseSettings::Mode> choices_of(std::type_identity<SpaceMouseSettings::Mode>) {
   return {{SpaceMouseSettings::Mode::position, "position"}, {SpaceMouseSettings::Mode::rate, "speed"}};

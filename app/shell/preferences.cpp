@@ -98,6 +98,8 @@ using CapMode = SpaceMouseSettings::Mode;
 using CapUp = SpaceMouseSettings::Up;
 constexpr std::array cap_modes{NamedId{CapMode::position, "position"}, NamedId{CapMode::rate, "speed"}};
 constexpr std::array cap_ups{NamedId{CapUp::lift, "lifting"}, NamedId{CapUp::push_away, "pushing-away"}};
+constexpr std::array motions{NamedId{ScreenMotion::as_system, "as-system"}, NamedId{ScreenMotion::full, "full"},
+                             NamedId{ScreenMotion::reduced, "reduced"}};
 constexpr std::array plot_tabs{NamedId{PlotTab::time, plot_tab_name(PlotTab::time)},
                                NamedId{PlotTab::wall_angle, plot_tab_name(PlotTab::wall_angle)},
                                NamedId{PlotTab::ratio, plot_tab_name(PlotTab::ratio)},
@@ -125,6 +127,8 @@ const std::vector<KeptKey<Preferences>>& preference_keys() {
                 {Appearance::least_scale, Appearance::greatest_scale}),
       number<P>("arrows", [](auto& kept) -> auto& { return kept.appearance.arrow_scale; },
                 {Appearance::least_arrow_scale, Appearance::greatest_arrow_scale}),
+      choice<P>(
+          "motion", motions, [](auto& kept) -> auto& { return kept.motion; }),
       choice<P>(
           "view", face_catalog, [](auto& kept) -> auto& { return kept.face; }),
       choice<P>(
@@ -218,6 +222,7 @@ Preferences preferences_in(const Session& session) {
   // While the plots follow the present, both ends move, and their distance changes in its last digits.
   const double span_s = std::round(1e3 * session.plots.span_s()) / 1e3;
   return {.appearance = session.appearance,
+          .motion = session.motion,
           .options = session.options,
           .plots = {session.plots.is_open, session.plots.tab, span_s},
           .spacemouse = session.spacemouse,
@@ -230,6 +235,7 @@ Preferences preferences_in(const Session& session) {
 
 void apply(const Preferences& preferences, Session& session) {
   session.appearance = preferences.appearance;
+  session.motion = preferences.motion;
   session.options = preferences.options;
   session.plots.is_open = preferences.plots.is_open;
   session.plots.tab = preferences.plots.tab;
@@ -274,6 +280,7 @@ StoredPreferences load_preferences() {
 StoredPreferences for_visitors(const StoredPreferences& stored) {
   const Preferences& of_machine = stored.preferences;
   return {.preferences = {.appearance = {.theme = of_machine.appearance.theme, .scale = of_machine.appearance.scale},
+                          .motion = of_machine.motion,
                           .offers_hints = false,
                           .language = of_machine.language},
           .layout = WindowLayout{.is_full_screen = true},
@@ -293,15 +300,26 @@ void PreferenceKeeper::keep(const Session& session) {
   if (std::exchange(resets_, session.preference_resets) != session.preference_resets) {
     stored_ = {};
     seen_ = now;
+    unsaved_.clear();
     for (const KeptFile& file : {preferences_file(), layout_file()}) forget(file);
     return;
   }
   if (now == seen_) return;
   for (const KeptKey<Preferences>& key : preference_keys()) {
-    if (!key.is_same(now, seen_)) key.copy(now, stored_);
+    if (!key.is_same(now, seen_)) unsaved_.insert(key.name);
   }
   seen_ = now;
+  std::vector<std::string> problems;
+  if (const auto stored = load_keys(preferences_file(), preference_keys(), problems)) {
+    stored_ = *stored;
+  } else if (problems.empty()) {
+    stored_ = {};  // another window has reset them
+  }
+  for (const KeptKey<Preferences>& key : preference_keys()) {
+    if (unsaved_.contains(key.name)) key.copy(now, stored_);
+  }
   save(stored_);
+  unsaved_.clear();
 }
 
 }  // namespace ghostforce

@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/state/session.h"
@@ -27,6 +28,7 @@ struct PlotPreferences {
 // scene or to the moment; what moves the goal; and the limits of motors, to which a person agrees anew each time.
 struct Preferences {
   Appearance appearance{};
+  ScreenMotion motion = ScreenMotion::as_system;
   ViewOptions options{};
   PlotPreferences plots{};
   SpaceMouseSettings spacemouse{};
@@ -69,7 +71,7 @@ struct StoredPreferences {
 };
 StoredPreferences load_preferences();
 
-// What visitors get of it: theme, scale and language were chosen for the machine, all else for a person. Full screen.
+// What visitors get of it: theme, scale, motion and language were chosen for the machine, all else for a person. Full screen.
 StoredPreferences for_visitors(const StoredPreferences& stored);
 
 // What a newer program has written beside it stays in the files. Throws Failure(file_trouble). Without a home folder
@@ -77,21 +79,23 @@ StoredPreferences for_visitors(const StoredPreferences& stored);
 void save(const Preferences& preferences);
 void save(const WindowLayout& layout);
 
-// Keeps the stored preferences up to date. What the command line asked for holds for its run only.
+// Keeps the stored preferences up to date, beside other windows that do the same. What the command line asked for holds
+// for its run only.
 class PreferenceKeeper {
  public:
   // `session`: as the run begins.
   PreferenceKeeper(Preferences stored, const Session& session)
       : stored_(std::move(stored)), seen_(preferences_in(session)), resets_(session.preference_resets) {}
 
-  // Writes what the person has changed since the last call, if anything; after a reset the files are gone. Throws
-  // Failure(file_trouble).
+  // Adds what the person has changed since the last call, if anything, to what is stored by now; after a reset the
+  // files are gone. Throws Failure(file_trouble) where it cannot be stored; then it is stored with the next change.
   void keep(const Session& session);
 
  private:
   Preferences stored_;
   Preferences seen_;
-  std::uint32_t resets_;  // that have been seen
+  std::set<std::string_view> unsaved_;  // keys of the file that this window has changed
+  std::uint32_t resets_;                // that have been seen
 };
 
 }  // namespace ghostforce

@@ -1,7 +1,6 @@
 #include "app/shell/receipt.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace ghostforce {

@@ -1,4 +1,4 @@
-#include "app/shell/receipt_sheet.h"
+#include "app/shell/receipt_writing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "app/picture/chart.h"
 #include "app/picture/text.h"

@@ -15,7 +15,6 @@
 #include "app/base/quoted.h"
 #include "app/files/output_file.h"
 #include "app/picture/theme.h"
-#include "app/shell/receipt_sheet.h"
 
 namespace ghostforce {
 namespace {

@@ -6,17 +6,15 @@
 
 #include "app/paint/label_painter.h"
 #include "app/picture/screen_box.h"
-#include "app/shell/window.h"
 #include "app/stage/stage_layout.h"
+#include "app/widgets/controls.h"
 #include "app/widgets/focus.h"
 #include "app/widgets/pointing.h"
-#include "app/widgets/style.h"
 #include "app/widgets/tooltips.h"
+#include "app/workbench/bars.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/lecture.h"
 #include "app/workbench/motor_control.h"
 #include "app/workbench/plot_pieces.h"
-#include "app/workbench/status_bar.h"
 
 namespace ghostforce {
 namespace {
@@ -79,7 +77,7 @@ void Screen::show_to(std::unique_ptr<AudienceWindow> audience) {
 
 void Screen::prepare_for_audience(const Session& session, const ShownMoment& moment, const History& history,
                                   const LoopReading& loop, double interval_s) {
-  const Theme& theme = *styled_appearance_.theme;
+  const Theme& theme = styled_theme_;
   const Vector<2> size = audience_->window->size();
   if (session.stage.is_black || size.x <= 0.0 || size.y <= 0.0) {
     return audience_->window->prepare({}, black_theme(theme));
@@ -125,22 +123,21 @@ Image Screen::picture(const Session& session, const ShownMoment& moment, const H
 }
 
 void Screen::apply_appearance(const Session& session) {
-  const Appearance& appearance = session.appearance;
-  scale_ = appearance.scale * static_cast<double>(window_.display_scale());
+  scale_ = session.appearance.scale * static_cast<double>(window_.display_scale());
   const ImVec2 density = ImGui::GetIO().DisplayFramebufferScale;
   const Vector<2> size{window_.pixel_width() / static_cast<double>(density.x),
                        window_.pixel_height() / static_cast<double>(density.y)};
   const auto scale = static_cast<float>(session.face == Face::stage ? scale_over_stage(size, scale_) : scale_);
-  if (appearance == styled_appearance_ && scale == styled_scale_) return;
-  apply_style(*appearance.theme, scale);
-  apply_plot_style(*appearance.theme, scale);
-  styled_appearance_ = appearance;
+  if (shown_theme(session) == styled_theme_ && scale == styled_scale_) return;
+  styled_theme_ = shown_theme(session);
   styled_scale_ = scale;
+  apply_style(styled_theme_, scale);
+  apply_plot_style(styled_theme_, scale);
 }
 
 void Screen::draw_everything(Session& session, const ActionSink& apply, const ShownMoment& moment,
                              const History& history, const LoopReading& loop, const Frame& frame) {
-  const Theme& theme = *styled_appearance_.theme;
+  const Theme& theme = styled_theme_;
   // A control is held before it changes anything, and let go of after all of it.
   const ActionSink apply_held = [&](const Action& action) {
     if (!session.is_editing && ImGui::IsAnyItemActive()) apply(HoldControl{true});
@@ -180,10 +177,14 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   // On the stage between its rows of buttons, and beside its menu.
   ScreenBox room = is_on_stage ? stage_.picture().scene : scene;
   if (const auto& menu = stage_.picture().menu; is_on_stage && menu) room.most.x = menu->least.x;
+  // Fit and Reset stay free: where the window is narrow, a notice is beside them.
+  if (const auto& tools = stage_.picture().tools; is_on_stage && tools) room.least.x = tools->most.x;
   draw_notice(context, room);
   keeps_notice_place_ = !session.notice && notice_place_s_ > 0.0;
   if (keeps_notice_place_) block_place_of_notice();
-  draw_dialog(context);
+  const std::optional<Vector<2>> hand =
+      is_on_stage ? std::optional(to_screen(stage_.picture().pane.camera, session.goal)) : std::nullopt;
+  draw_dialog(context, hand);
   draw_focus_ring(theme, styled_scale_);
 }
 
@@ -225,7 +226,7 @@ void Screen::draw_stage(Session& session, const PanelContext& context, const Sho
 
 StageReading Screen::stage_reading(const Session& session, const ShownMoment& moment, const History& history,
                                    const LoopReading& loop) const {
-  return stage_.reading(session, {moment, history, loop, *session.appearance.theme, measure_, scene_size_, scale_});
+  return stage_.reading(session, {moment, history, loop, shown_theme(session), measure_, scene_size_, scale_});
 }
 
 std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,
@@ -237,7 +238,7 @@ std::vector<Pane> Screen::panes_for_file(const Session& session, const ShownMome
               .still(session, {.shown = moment,
                                .history = history,
                                .loop = loop,
-                               .theme = *session.appearance.theme,
+                               .theme = shown_theme(session),
                                .measure = measure,
                                .size = scene_size_,
                                .scale = scale_,

@@ -2,7 +2,6 @@
 // in the window, in a PNG and in a test; it knows neither servo nor file.
 #pragma once
 
-#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -113,7 +112,7 @@ class Screen {
   Hints hints_;
   StageFace stage_;
   std::unique_ptr<Audience> audience_;  // null: there is none
-  Appearance styled_appearance_{.theme = nullptr};
+  Theme styled_theme_{};
   double scale_ = 1.0;         // UI scale, with the display's
   float styled_scale_ = 0.0F;  // of Dear ImGui; over the stage it grows with the window
   static constexpr double notice_place_lasts_s = 1.0;

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -16,7 +15,6 @@
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
-#include "app/files/read_error.h"
 #include "app/files/toml_document.h"
 #include "app/shell/action_kinds.h"
 #include "app/shell/line_text.h"
@@ -354,9 +352,10 @@ SessionRecorder::SessionRecorder(const std::string& path, const SessionStart& st
 }
 
 void SessionRecorder::write_choices(const Session& session) {
-  for (const Action& choice : {Action(ChangeAppearance{session.appearance}), Action(ChangeViewOptions{session.options}),
-                               Action(ChangePlots{session.plots}), Action(ChangeSpaceMouse{session.spacemouse}),
-                               Action(ChangeSpeed{session.speed}), Action(ChooseLanguage{session.language})}) {
+  for (const Action& choice : {Action(ChangeAppearance{session.appearance}), Action(ChangeMotion{session.motion}),
+                               Action(ChangeViewOptions{session.options}), Action(ChangePlots{session.plots}),
+                               Action(ChangeSpaceMouse{session.spacemouse}), Action(ChangeSpeed{session.speed}),
+                               Action(ChooseLanguage{session.language})}) {
     write(0.0, choice);
   }
 }

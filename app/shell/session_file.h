@@ -3,7 +3,6 @@
 // for the servo thread.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>

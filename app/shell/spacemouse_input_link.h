@@ -2,8 +2,9 @@
 // of the program finds the device in its own way, and says in its own words why there is none. UI thread.
 #pragma once
 
+#include <string_view>
+
 #include "app/shell/input_link.h"
-#include "app/workbench/spacemouse.h"
 #include "device/report/input_choice.h"
 #include "device/spacemouse/spacemouse_input.h"
 
@@ -11,6 +12,13 @@ namespace ghostforce {
 
 inline constexpr InputChoice spacemouse_hand{"spacemouse", "SpaceMouse",
                                              "The goal follows the cap of a 3Dconnexion SpaceMouse."};
+
+// What there is to do about each trouble, which the two fronts of the program answer differently.
+struct SpaceMouseWords {
+  std::string_view absent;
+  std::string_view not_allowed;
+  std::string_view not_opened;
+};
 
 // How a run ended that was to use one.
 EndOfRun end_with(SpaceMouseReading::Trouble trouble);

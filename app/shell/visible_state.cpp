@@ -5,7 +5,6 @@
 
 #include <fmt/format.h>
 
-#include "app/picture/moment_history.h"
 #include "app/state/kiosk_visit.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "core/belief.h"
@@ -80,6 +79,7 @@ VisibleState visible_state(const Session& session, const ShownMoment& shown, con
                      .plots_end_s = {},
                      .ribbon_end_s = {},
                      .trail_s = {},
+                     .theme = shown_theme(session),
                      .words = shown_words(session, reading)};
   if (session.notice) state.notice = session.notice->words;
   const PlotView& plots = session.plots;
@@ -98,7 +98,7 @@ bool differs_visibly(const VisibleState& seen, const VisibleState& now, double p
   return differs_visibly(seen.snapshot, now.snapshot, least) || glm::distance(seen.goal, now.goal) > least.step ||
          seen.settings != now.settings || seen.is_past != now.is_past || seen.is_paused != now.is_paused ||
          seen.notice != now.notice || seen.plots_end_s != now.plots_end_s || seen.ribbon_end_s != now.ribbon_end_s ||
-         seen.trail_s != now.trail_s || seen.words != now.words;
+         seen.trail_s != now.trail_s || seen.theme != now.theme || seen.words != now.words;
 }
 
 }  // namespace ghostforce

@@ -21,7 +21,8 @@ struct VisibleState {
   std::optional<double> plots_end_s;   // of the plots over time, while the present is in sight
   std::optional<double> ribbon_end_s;  // of the last minute, while that is on the stage
   std::optional<double> trail_s;       // of the moment, while a trail of it is fading
-  std::string words;                   // that name what is so, or what to do: warnings, readiness, motors, recording
+  Theme theme{};
+  std::string words;  // that name what is so, or what to do: warnings, readiness, motors, recording
 };
 
 // `present_s`: model time of the newest tick.

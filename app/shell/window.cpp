@@ -9,7 +9,6 @@
 #include <utility>
 
 #include <fmt/format.h>
-#include <imgui.h>
 #include <imgui_impl_opengl3.h>
 #include <implot.h>
 

@@ -1,17 +1,15 @@
 #include "app/shell/workbench.h"
 
-#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>
 #include <utility>
 
-#include "app/shell/window.h"
 #include "app/stage/hints.h"
 #include "app/state/target.h"
 #include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
-#include "app/workbench/caption.h"
+#include "app/workbench/bars.h"
 #include "app/workbench/drawer.h"
 #include "app/workbench/motor_control.h"
 #include "app/workbench/panel_catalog.h"
@@ -174,7 +172,7 @@ PictureContent Workbench::content_of(const Session& session, const ShownMoment& 
   return {.settings = moment.settings,
           .snapshot = moment.snapshot,
           .history = history,
-          .theme = *session.appearance.theme,
+          .theme = shown_theme(session),
           .options = options,
           .shown = session.shown,
           .pane_views = session.pane_views,

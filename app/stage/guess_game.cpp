@@ -5,6 +5,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/scene_shape.h"
+
 namespace ghostforce {
 
 void GuessGame::update(Session& session, double interval_s) {
@@ -36,7 +38,8 @@ void GuessGame::update(Session& session, double interval_s) {
     // Asked again while the answer is on its way: at once. After it: a new guess.
     const bool was_revealing = is_revealing();
     stage.guess_is_open = !stage.guess_is_open && !was_revealing;
-    reveal_s_ = stage.guess_is_open || was_revealing ? reveal_lasts_s : 0.0;
+    const bool is_at_once = was_revealing || reduces_motion(session);
+    reveal_s_ = stage.guess_is_open || is_at_once ? reveal_lasts_s : 0.0;
     return;
   }
   reveal_s_ = std::min(reveal_lasts_s, reveal_s_ + interval_s);
@@ -52,7 +55,7 @@ StageGuess GuessGame::guess(const Session& session) const {
 
 StageMoment GuessGame::moment(const Session& session) const {
   const double share = std::clamp(reveal_s_ / (0.85 * reveal_lasts_s), 0.0, 1.0);
-  const Vector<2> foot = projection(wall_of(session.settings), session.goal);
+  const Vector<2> foot = foot_on_edge(session.settings, session.goal);
   return stage_moment_at_rest(settings_now(session), glm::mix(foot, session.goal, share));
 }
 

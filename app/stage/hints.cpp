@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/state/landscape.h"
+#include "app/state/permit.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 
@@ -43,7 +44,7 @@ constexpr std::array hints{
          [](const Session& session, const HintProgress& progress) {
            return session.settings.actuated_angle != progress.actuated_angle && !session.is_editing;
          },
-         [](const Session& session) { return session.has_handles; }},
+         [](const Session& session) { return session.has_handles && !permit(session, TurnMotorTo{}); }},
 };
 
 }  // namespace

@@ -14,16 +14,21 @@ struct StageShow {
   StageMoment moment;
 };
 
-// A hand goes into the wall, the handle slides, the cure takes the ghost force away, and the hand comes back. `time_s`:
-// since the show began; it repeats itself.
-StageShow stage_show(const Scene& scene, const Settings& settings, double time_s);
+// Where a person left the stage.
+struct StageLeft {
+  Settings settings;
+  Vector<2> goal{0.0};        // [m]
+  const StageMoment& moment;  // that was shown
+};
 
-// In a lesson that waits for somebody: a hand goes from `goal` into the wall and comes back, again and again, under the
-// strategy that these settings have.
-StageShow hand_show(const Settings& settings, const Vector<2>& goal, double time_s);
+// Near where the hand was left, it goes into the wall, the handle slides, the cure takes the ghost force away, and the
+// hand comes back. `time_s`: since the show began; it repeats itself. `strength`: how far the hand has come on its way
+// from where it was left (0) to the show's (1).
+StageShow stage_show(const StageLeft& left, double time_s, double strength);
 
-// Between two moments, for a soft fade from one to the other: 0 is the first.
-StageMoment mixed_moment(const StageMoment& first, const StageMoment& second, double share) noexcept;
+// In a lesson that waits for somebody: the hand goes into the wall and comes back, again and again, under the strategy
+// that these settings have.
+StageShow hand_show(const StageLeft& left, double time_s, double strength);
 
 class IdleShow {
  public:

@@ -214,12 +214,14 @@ void add_landscape(const LandscapeView& view, Marks& marks) {
 namespace {
 
 void add_map(const StageLayer& layer) {
+  if (maps_workspace(layer.content)) return add_workspace(layer);
   const LandscapeRoom room{layer.layout.header_box(), layer.layout.bottom};
   add_landscape(stage_landscape(layer.content, layer.canvas.camera, room), layer.canvas.marks);
 }
 
-std::string no_sentence(const StageContent& /*content*/) {
-  return {};
+// The map of walls and hands has its verdict in place of one.
+std::string map_sentence(const StageContent& content) {
+  return maps_workspace(content) ? workspace_sentence(content) : "";
 }
 
 }  // namespace
@@ -236,6 +238,6 @@ LandscapeView stage_landscape(const StageContent& content, const Camera& camera,
           .room = room};
 }
 
-const StageModeLayers landscape_layers{StageMode::landscape, add_map, no_sentence};
+const StageModeLayers landscape_layers{StageMode::landscape, add_map, map_sentence};
 
 }  // namespace ghostforce

@@ -9,13 +9,13 @@
 #include <tuple>
 #include <utility>
 
+#include "app/picture/share_colour.h"
+
 namespace ghostforce {
 namespace {
 
 constexpr int map_columns = 120;
 constexpr int map_rows = 80;
-constexpr double deepest_share = 3.0;  // and all beyond
-constexpr double depth_growth = 9.0;   // one decade of the logarithm from none to the deepest
 
 // ---- Contours -------------------------------------------------------------------------------------------------------
 
@@ -50,6 +50,20 @@ std::vector<Vector<2>> without_idle_corners(const std::vector<Vector<2>>& corner
     if (is_kept[i]) kept.push_back(corners[i]);
   }
   return kept;
+}
+
+// What of a line lies in the box, as lines of their own.
+std::vector<std::vector<Vector<2>>> pieces_inside(const ScreenBox& box, const std::vector<Vector<2>>& corners) {
+  std::vector<std::vector<Vector<2>>> pieces;
+  bool goes_on = false;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    ScreenPiece piece{corners[i - 1], corners[i]};
+    const bool is_inside = clip(box, piece);
+    if (is_inside && !goes_on) pieces.push_back({piece.from});
+    if (is_inside) pieces.back().push_back(piece.to);
+    goes_on = is_inside && piece.to == corners[i];
+  }
+  return pieces;
 }
 
 double contour_width(const LandscapeLayout& layout) noexcept {
@@ -104,14 +118,6 @@ bool add_contour_label(const LandscapeView& view, const LandscapeLayout& layout,
 
 // ---- The scale of colours -------------------------------------------------------------------------------------------
 
-constexpr int scale_rows = 64;
-
-// The inverse of depth_of_colour(), with the sign.
-double share_of_depth(double depth) noexcept {
-  const double share = deepest_share * (std::pow(1.0 + depth_growth, std::abs(depth)) - 1.0) / depth_growth;
-  return std::copysign(share, depth);
-}
-
 }  // namespace
 
 std::string share_words(double share) {
@@ -124,15 +130,6 @@ std::string share_words(double share) {
 
 bool is_no_share(double share) noexcept {
   return std::abs(share) < 0.005;
-}
-
-double depth_of_colour(double share) noexcept {
-  const double part = std::min(std::abs(share) / deepest_share, 1.0);
-  return std::log(1.0 + depth_growth * part) / std::log(1.0 + depth_growth);
-}
-
-Colour colour_of_share(const Theme& theme, double share) noexcept {
-  return mix(theme.background, share > 0.0 ? theme.excess : theme.shortfall, depth_of_colour(share));
 }
 
 void add_map(const LandscapeView& view, const LandscapeLayout& layout, const Landscape& landscape, Marks& marks) {
@@ -155,11 +152,18 @@ void add_map(const LandscapeView& view, const LandscapeLayout& layout, const Lan
 
 std::vector<DrawnContour> drawn_contours(const Landscape& landscape, const LandscapeLayout& layout) {
   constexpr double seen = 0.008;  // [em]
+  // Along the wall no ghost force is left, however large it is a hair beside: all lines lie side by side there, and would
+  // make the frame a thick bar.
+  constexpr double beside_frame = 0.25;  // [em]
+  const Vector<2> all(1.0);
+  const ScreenBox room{layout.map.least - all, layout.map.most + Vector<2>(-beside_frame * layout.em, all.y)};
   std::vector<DrawnContour> drawn;
   for (const Contour& contour : contours_of(landscape)) {
     std::vector<Vector<2>> corners;
     for (const LandscapePoint& point : contour.points) corners.push_back(ring_at(layout, point));
-    drawn.push_back({contour.level, without_idle_corners(corners, seen * layout.em)});
+    for (const std::vector<Vector<2>>& piece : pieces_inside(room, corners)) {
+      drawn.push_back({contour.level, without_idle_corners(piece, seen * layout.em)});
+    }
   }
   return drawn;
 }
@@ -196,12 +200,9 @@ void add_contour_labels(const LandscapeView& view, const LandscapeLayout& layout
 void add_colour_scale(const LandscapeView& view, const LandscapeLayout& layout, bool has_too_little,
                       LandscapeWords& words, Marks& marks) {
   const double lowest = has_too_little ? -depth_of_colour(-1.0) : 0.0;  // no share is less
-  Raster raster{to_world(view.camera, layout.scale.least), layout.scale.extent(), 1, scale_rows, {}};
-  for (int row = 0; row < scale_rows; ++row) {
-    const double depth = 1.0 + (lowest - 1.0) * (row + 0.5) / scale_rows;
-    raster.cells.push_back(colour_of_share(view.theme, share_of_depth(depth)));
-  }
-  marks.push_back({Role::scale, std::nullopt, std::move(raster)});
+  marks.push_back({Role::scale, std::nullopt,
+                   Raster{to_world(view.camera, layout.scale.least), layout.scale.extent(), 1, scale_rows,
+                          scale_of_shares(view.theme, lowest)}});
   marks.push_back({Role::scale, std::nullopt,
                    Box{to_world(view.camera, layout.scale.least), layout.scale.extent(), 0.0,
                        view.theme.background.with_alpha(0), view.theme.text, contour_width(layout)}});

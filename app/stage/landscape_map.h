@@ -15,10 +15,6 @@ std::string share_words(double share);
 // Rounds to 0 %.
 bool is_no_share(double share) noexcept;
 
-// How deep a share's colour is, from 0 to 1: quick at first, since the first tenths are what is felt first.
-double depth_of_colour(double share) noexcept;
-Colour colour_of_share(const Theme& theme, double share) noexcept;
-
 // A contour as it is drawn, ends of its pieces on the screen.
 struct DrawnContour {
   double level;

@@ -1,6 +1,11 @@
 #include "app/stage/lesson_content.h"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
+#include <variant>
+
+#include <glm/common.hpp>
 
 #include "app/stage/stage.h"
 #include "app/stage/stage_layout.h"
@@ -9,7 +14,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_quantities.h"
 #include "app/state/stage_view.h"
-#include "core/wall.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -119,7 +124,7 @@ namespace {
 // The way of a handle that a slow hand leads round and round.
 StageRound round_at_rest(const SetUp& set_up) {
   const Settings& settings = set_up.scene.settings;
-  const Circle circle = circle_inside(wall_of(settings), set_up.goal, {});
+  const Circle circle = circle_inside(wall_near(settings, set_up.goal), set_up.goal, {});
   StageRound round;
   constexpr int places = 60;
   for (int i = 0; i < places; ++i) {
@@ -168,6 +173,43 @@ Pane stage_pane(const SetUp& set_up, const Theme& theme, const Vector<2>& size, 
   return pane;
 }
 
+bool shows(LessonSubject subject, Role role) {
+  switch (subject) {
+    case LessonSubject::everything:
+      return true;
+    case LessonSubject::handle:
+      return role == Role::device || role == Role::proxy;
+    case LessonSubject::hand:
+      return role == Role::hand;
+    case LessonSubject::forces:
+      return role == Role::force || role == Role::wall_share || role == Role::ghost_force;
+    case LessonSubject::ghost_force:
+      return role == Role::ghost_force;
+    case LessonSubject::slide:
+      return role == Role::proxy_drift || role == Role::proxy;
+    case LessonSubject::loop:
+      return role == Role::area;
+  }
+  return false;
+}
+
+// Where its middles and ends are in the picture; empty: it is not there.
+std::optional<ScreenBox> box_of(LessonSubject subject, const Pane& pane) {
+  std::optional<ScreenBox> box;
+  const auto add = [&](const Vector<2>& world) {
+    const Vector<2> at = to_screen(pane.camera, world);
+    if (!box) box = ScreenBox{at, at};
+    box->include(at);
+  };
+  for (const Mark& mark : pane.marks) {
+    if (!shows(subject, mark.role)) continue;
+    if (const auto* const line = std::get_if<Line>(&mark.form)) add(line->from), add(line->to);
+    if (const auto* const arrow = std::get_if<Arrow>(&mark.form)) add(arrow->tail), add(arrow->tip);
+    if (const auto* const marker = std::get_if<Marker>(&mark.form)) add(marker->center);
+  }
+  return box;
+}
+
 }  // namespace
 
 Pane lesson_card(std::size_t number, const Theme& theme, const Vector<2>& size, double scale) {
@@ -175,7 +217,21 @@ Pane lesson_card(std::size_t number, const Theme& theme, const Vector<2>& size, 
   const Lesson& lesson = *shipped_lessons()[number];
   const LessonStep& step = lesson.steps[lesson.picture];
   const SetUp* const set_up = step.reveal ? step.reveal.get() : step.set_up.get();
-  return stage_pane(set_up == nullptr ? nothing : *set_up, theme, size, scale);
+  const SetUp& shown = set_up == nullptr ? nothing : *set_up;
+  Pane whole = stage_pane(shown, theme, size, scale);
+  if (lesson.picture_of == LessonSubject::everything) return whole;
+  const std::optional<ScreenBox> subject = box_of(lesson.picture_of, whole);
+  if (!subject) return whole;
+  // So large that it takes half of the picture, with all that is drawn.
+  constexpr double taken = 0.5;
+  constexpr double largest = 3.0;
+  const Vector<2> room = taken * size / glm::max(subject->extent(), Vector<2>(1.0));
+  const double closer = std::clamp(std::min(room.x, room.y), 1.0, largest);
+  Pane part = stage_pane(shown, theme, closer * size, closer * scale);
+  const ScreenBox there = box_of(lesson.picture_of, part).value_or(*subject);
+  part.camera.center = to_world(part.camera, 0.5 * (there.least + there.most));
+  part.camera.size = size;
+  return part;
 }
 
 }  // namespace ghostforce

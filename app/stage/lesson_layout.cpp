@@ -20,7 +20,8 @@ constexpr double leave_side = 46.0;
 constexpr double dot_step = 17.0;
 constexpr double slider_padding = 6.0;
 
-constexpr double most_of_width = 0.3;    // that the title takes
+constexpr double most_of_width = 0.3;  // that the title takes
+constexpr double most_of_upright = 0.6;
 constexpr double most_of_height = 0.34;  // that the rows of buttons take
 
 // A thing in the row, from left to right.
@@ -48,6 +49,7 @@ class LessonArrangement {
 
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
+  double target(double of_design) const { return std::max(points(of_design), layout_.least_target); }
   double width_of(const std::string& words, const TextStyle& style) const { return measure_(words, style).x; }
 
   bool arrange_header() {
@@ -56,16 +58,16 @@ class LessonArrangement {
     const double right = layout_.size.x - layout_.margin;
     const TextStyle& title = layout_.letters.bold_words;
     const bool has_language = !lesson_.has_way_out && !lesson_.other_language.empty();
-    const double corner_width = lesson_.has_way_out ? points(leave_side)
+    const double corner_width = lesson_.has_way_out ? target(leave_side)
                                 : has_language      ? width_of(lesson_.other_language, title) + points(2.0 * padding)
                                                     : 0.0;
-    made.corner = {{right - corner_width, top}, {right, top + points(leave_side)}};
+    made.corner = {{right - corner_width, top}, {right, top + target(leave_side)}};
     made.language = has_language ? std::optional(made.corner) : std::nullopt;
     layout_.header.clear();
     layout_.menu.clear();
     if (lesson_.has_way_out) layout_.header.push_back({StageCommand::leave, made.corner, {}});
     const TextStyle& words = layout_.letters.words;
-    const double most = most_of_width * layout_.size.x;
+    const double most = (layout_.is_upright ? most_of_upright : most_of_width) * layout_.size.x;
     made.title = broken_into_lines(lesson_.title, most, title, measure_);
     double width = 0.0;
     for (const std::string& line : made.title) width = std::max(width, width_of(line, title));
@@ -98,7 +100,7 @@ class LessonArrangement {
     Item item{.lines = broken_into_lines(words, row_width() - around, style, measure_)};
     for (const std::string& line : item.lines) item.size.x = std::max(item.size.x, width_of(line, style));
     item.size.x += around;
-    item.size.y = std::max(points(row_height), static_cast<double>(item.lines.size()) * style.height + points(padding));
+    item.size.y = std::max(target(row_height), static_cast<double>(item.lines.size()) * style.height + points(padding));
     return item;
   }
 
@@ -107,7 +109,8 @@ class LessonArrangement {
                          std::max(width_of(shown.value, layout_.letters.bold_words),
                                   width_of(shown.longest, layout_.letters.bold_words));
     const double around = points(2.0 * (slider_padding + slider_knob));
-    return {.size = {std::max(points(least_slider), words + around), layout_.letters.words.height + around}};
+    return {.size = {std::max(points(least_slider), words + around),
+                     std::max(layout_.letters.words.height + around, layout_.least_target)}};
   }
 
   double row_width() const { return layout_.size.x - 2.0 * layout_.margin; }
@@ -124,7 +127,7 @@ class LessonArrangement {
         const StrategyWords words{.name = words_.language.strategy_buttons[index_of(strategy.id)].name, .about = ""};
         strategies.push_back({strategy.id, {}, std::string(words.name)});
         const double width = strategy_button_width(words, layout_.unit, layout_.letters, measure_);
-        items.push_back({.lines = {}, .size = {width, points(row_height)}});
+        items.push_back({.lines = {}, .size = {width, target(row_height)}});
       }
     }
     const std::size_t measuring = items.size();

@@ -41,27 +41,39 @@ void add_guess(const StageLayer& layer) {
                theme.accent);
 }
 
+bool hides_rest(const StageContent& content) {
+  return (content.mode == StageMode::predict && content.guess.is_open) || content.hides.handle;
+}
+
+StageMoment moment_of_question(const StageContent& content) {
+  StageMoment moment = content.moment;
+  moment.handle = moment.proxy = content.moment.goal;
+  return moment;
+}
+
 namespace {
 
 void add_predict(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   keep_guess_clear(layer);
-  if (!content.guess.is_open && !content.hides.handle) {
+  if (!hides_rest(content)) {
     add_whole_scene(layer);
     add_guess(layer);
     return;
   }
-  // Where the handle is shall not be seen: the rail lies through the hand, and the spring leads to the guess.
+  // The spring leads to the guess.
   StageContent question = content;
-  question.moment.handle = question.moment.proxy = content.moment.goal;
+  question.moment = moment_of_question(content);
   const StageLayer asked{question, layout, canvas};
   add_stage_wall(asked);
   add_rail(asked);
+  add_mechanism(asked);
   if (content.guess.at) {
     canvas.coil(Role::hand_spring, canvas.at(*content.guess.at), canvas.at(content.moment.goal), 9, canvas.width(3.0),
                 content.theme.text);
   }
   add_stage_hand(layer);
+  add_rail_grips(asked);
   add_guess(layer);
   add_hand_words(layer);
   add_motor_words(asked);
@@ -69,9 +81,10 @@ void add_predict(const StageLayer& layer) {
 
 std::string predict_sentence(const StageContent& content) {
   const StageLanguage::Sentences& all = content.language.sentences;
+  if (!content.moment.has_rest && !content.guess.is_open) return std::string(all.no_rest);
   if (content.guess.missed_by) return filled(all.guess_was_off, slide_number(*content.guess.missed_by));
   if (!content.guess.is_open) return std::string(all.guess_is_tried);
-  if (depth(wall_of(content.settings), content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);
+  if (depth_in_wall(content.settings, content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);
   const bool has_two = content.settings.active == StrategyId::full;
   return std::string(has_two ? all.guess_with_two_motors : all.guess_with_one_motor);
 }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -101,11 +102,21 @@ class RibbonPen {
   // Words whose middle is at `x`, or as near as the box lets them; left out where other words are. The earlier, the
   // more important.
   void words(double x, double top, std::string text, Colour colour, bool is_bold = false) {
+    aligned_words(x, 0.5, top, std::move(text), colour, is_bold);
+  }
+
+  // Words of which that share is left of `x`. Returns how wide they are.
+  double aligned_words(double x, double share, double top, std::string text, Colour colour, bool is_bold = false) {
     const Vector<2> extent = extent_of(ribbon_, text, is_bold);
+    put({x - share * extent.x, top}, extent, std::move(text), colour, is_bold);
+    return extent.x;
+  }
+  // The same at a place, measured already.
+  void put(const Vector<2>& wanted, const Vector<2>& extent, std::string text, Colour colour, bool is_bold) {
     const double least = ribbon_.box.least.x + margin();
     const double most = ribbon_.box.most.x - margin() - extent.x;
     if (most < least) return;
-    const Vector<2> corner{std::clamp(x - 0.5 * extent.x, least, most), top};
+    const Vector<2> corner{std::clamp(wanted.x, least, most), wanted.y};
     const ScreenBox room = ScreenBox{corner, corner + extent};
     const ScreenBox apart{room.least - Vector<2>(0.6 * em_, 0.0), room.most + Vector<2>(0.6 * em_, 0.0)};
     if (std::ranges::any_of(taken_, [&](const ScreenBox& other) { return overlap(apart, other) > 0.0; })) return;
@@ -202,6 +213,23 @@ double step_of_times(const Ribbon& ribbon, const RibbonAxis& axis) {
   return MomentHistory::span_s;
 }
 
+// Where the motion began less than a minute ago there is nothing before it, and who does not know why would miss it.
+void add_beginning(const Ribbon& ribbon, const RibbonAxis& axis, const ScreenBox& band, RibbonPen& pen) {
+  const std::optional<ShownMoment> oldest = ribbon.moments.oldest();
+  if (!oldest || oldest->snapshot.tick > 1) return;
+  const double x = axis.x_at(oldest->snapshot.time_s);
+  const double right = x - 0.4 * em_of(ribbon);
+  const StageLanguage::Ribbon& words = ribbon.language.ribbon;
+  for (const std::string_view each : {words.begins, words.begins_shortly}) {
+    const Vector<2> extent = extent_of(ribbon, each);
+    if (right - extent.x < band.least.x) continue;
+    const double top = 0.5 * (band.least.y + band.most.y - extent.y);
+    pen.put({right - extent.x, top}, extent, std::string(each), ribbon.theme.faint_text, false);
+    break;
+  }
+  pen.line(Role::scale, {x, band.least.y}, {x, band.most.y}, 0.06, ribbon.theme.faint_text);
+}
+
 }  // namespace
 
 double RibbonAxis::x_at(double time_s) const noexcept {
@@ -251,6 +279,7 @@ void add_ribbon(const Ribbon& ribbon, Marks& marks) {
   }
   pen.curve(active, buckets, axis, band, top);
 
+  add_beginning(ribbon, axis, band, pen);
   const double now_x = axis.x_at(axis.end_s);
   const bool is_past = ribbon.looks_back_to_s && *ribbon.looks_back_to_s < axis.end_s;
   if (is_past) pen.line(Role::scale, {now_x, band.least.y}, {now_x, band.most.y}, 0.1, theme.text);
@@ -272,7 +301,14 @@ void add_ribbon(const Ribbon& ribbon, Marks& marks) {
     // The longer words where they have room.
     for (const std::string_view title : {words.title, words.short_title}) {
       const std::string text = greatest ? filled(title, fmt::format("{:g}", top)) : std::string(words.title_unknown);
-      pen.words(axis.left + 0.5 * extent_of(ribbon, text).x, *rows.title, text, theme.faint_text);
+      pen.aligned_words(axis.left, 0.0, *rows.title, text, theme.faint_text);
+    }
+    // Whose line is whose.
+    double right = axis.right;
+    for (const Strategy& each : std::views::reverse(strategy_catalog())) {
+      const std::size_t i = index_of(each.id);
+      const std::string name(ribbon.language.strategy_buttons[i].name);
+      right -= pen.aligned_words(right, 1.0, *rows.title, name, theme.strategy_text[i], true) + em_of(ribbon);
     }
   }
 }

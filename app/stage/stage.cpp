@@ -28,7 +28,7 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
-  return std::string(stage_sentence(content.settings, content.moment, content.audience, content.language));
+  return stage_sentence(content.settings, content.moment, content.audience, content.language);
 }
 
 // With the digits that choose them. Empty: there is nothing to choose.
@@ -38,6 +38,14 @@ std::string open_answers(const StageLesson& lesson) {
   const std::vector<std::string>& answers = lesson.row().answers;
   for (std::size_t i = 0; i < answers.size(); ++i) words += fmt::format(" {}: {}.", i + 1, answers[i]);
   return words;
+}
+
+// Where a view can be moved, by who can press a button. A visitor cannot move it.
+bool has_tools(const StageContent& content) {
+  const bool is_map = content.mode == StageMode::landscape && !maps_workspace(content);
+  const bool has_view = !is_map && content.mode != StageMode::round;
+  const bool is_visitor = content.lesson && !content.lesson->has_way_out;
+  return content.has_controls && !is_visitor && has_view;
 }
 
 StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) {
@@ -52,7 +60,9 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .has_full = !content.moment.is_measured,
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,
-                       .shows_menu = content.shows_menu});
+                       .shows_menu = content.shows_menu,
+                       .has_tools = has_tools(content),
+                       .widths = content.widths});
 }
 
 void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
@@ -66,10 +76,11 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
                       .box = {}};
   const double bottom = layout.bottom - 10.0 * layout.unit;
   const double top = bottom - ribbon_height(ribbon);
-  // With large letters, beside the numbers.
+  // With large letters, beside the numbers and what is below them.
   const double gap = 14.0 * layout.unit;
-  const bool has_room = !layout.numbers || layout.numbers->most.y + gap <= top;
-  const double left = has_room ? layout.margin : layout.numbers->most.x + gap;
+  Vector<2> end = layout.numbers ? layout.numbers->most : Vector<2>(0.0);
+  if (const auto tools = layout.tools_box()) end = glm::max(end, tools->most);
+  const double left = end.y + gap <= top ? layout.margin : std::max(layout.margin, end.x + gap);
   layout.ribbon = ScreenBox{{left, top}, {layout.size.x - layout.margin, bottom}};
   layout.bottom = layout.ribbon->least.y;
 }
@@ -79,19 +90,31 @@ void make_room_for_ribbon(const StageContent& content, StageLayout& layout) {
 void add_whole_scene(const StageLayer& layer) {
   add_stage_wall(layer);
   add_rail(layer);
+  add_mechanism(layer);
   add_expectations(layer);
   add_springs(layer);
   add_stage_hand(layer);
   if (!layer.content.hides.slide) add_slide(layer);
   if (!layer.content.hides.force) add_stage_force(layer);
+  add_part_grips(layer);
   add_handle(layer);
+  add_rail_grips(layer);
   add_numbers(layer);
+  add_device_inset(layer);
   add_stage_words(layer);
 }
 
 StageReading stage_reading(const StageContent& content) {
   const StageSecrets& hides = content.hides;
-  StageReading reading{.strategy = content.settings.active, .sentence = sentence_of(content, layers_of(content.mode))};
+  StageReading reading{.strategy = content.settings.active,
+                       .sentence = sentence_of(content, layers_of(content.mode)),
+                       .hides = hides,
+                       .corner = content.corner,
+                       .measuring = content.measuring_button,
+                       .lesson = content.lesson,
+                       .moment = content.moment,
+                       .settings = content.settings};
+  if (content.mode == StageMode::why && !hides.handle) reading.steps = why_steps(content);
   if (content.lesson && content.warning.empty()) {
     reading.sentence += open_answers(*content.lesson);
     // Above stands the lesson's text, and the number beside the hand.
@@ -99,12 +122,14 @@ StageReading stage_reading(const StageContent& content) {
       reading.sentence +=
           fmt::format(" {}.", fmt::join(measured_hand_words(*content.measuring, content.language), ", "));
     }
-  } else if (!content.lesson && content.mode == StageMode::landscape && content.warning.empty()) {
+  } else if (!content.lesson && content.mode == StageMode::landscape && !maps_workspace(content) &&
+             content.warning.empty()) {
     // The map has its verdict in place of a sentence.
     reading.sentence = landscape_sentence(stage_landscape(content, {}, {}));
   }
   const bool is_asked = content.mode == StageMode::predict && content.guess.is_open;
-  if (is_asked || hides.numbers || hides.handle) return reading;
+  reading.hides.numbers = is_asked || hides.numbers || hides.handle;
+  if (reading.hides.numbers) return reading;
   reading.numbers = stage_numbers(content.moment);
   if (hides.force) reading.numbers.force = reading.numbers.wall_share = reading.numbers.ghost_force = std::nullopt;
   if (hides.slide) reading.numbers.slide = std::nullopt;
@@ -114,7 +139,7 @@ StageReading stage_reading(const StageContent& content) {
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
   // What is to be guessed is drawn as Predict does it.
   const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
-  const bool is_map = content.mode == StageMode::landscape && !content.hides.handle;
+  const bool is_map = content.mode == StageMode::landscape && !content.hides.handle && !maps_workspace(content);
   StageLayout layout = layout_of(content, mode);
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);
   const Camera camera = content.is_bare ? camera_on(content.shown.center, content.shown.width, content.size)
@@ -125,6 +150,7 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   const bool has_buttons = !content.is_bare && (content.has_controls || content.lesson);
   Marks& marks = picture.pane.marks;
   marks.clear();
+  std::vector<StagePart> parts;
   {
     LabelPlacer labels(content.size, layout.unit, content.measure, memory, interval_s);
     StageCanvas canvas{.camera = camera, .theme = content.theme, .unit = layout.unit, .marks = marks, .labels = labels};
@@ -135,26 +161,35 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
     if (has_old_guess) keep_guess_clear(layer);
     (mode != nullptr ? mode->add : add_whole_scene)(layer);
     if (has_old_guess) add_guess(layer);
+    if (content.may_move_parts) parts = stage_parts(layer);
     if (!content.is_bare && (!is_map || content.lesson)) add_sentence(layer);
     if (has_buttons) add_buttons(layer);
     canvas.add_labels();
     if (has_buttons) add_overlays(layer);
+    if (canvas.inset) picture.inset = canvas.inset->box;
     if (const auto ribbon = stage_ribbon(layer)) picture.ribbon = {*layout.ribbon, ribbon_axis(*ribbon)};
   }
   picture.scene = layout.scene();
   picture.numbers = layout.numbers;
-  picture.pivot = content.moment.handle;
+  // Buttons are nearly clear while something is dragged below them; a lesson's rows and the ribbon are not. A map ends
+  // before them.
+  picture.reach = layout.lesson || layout.ribbon || maps_workspace(content) ? layout.scene()
+                                                                            : ScreenBox{Vector<2>(0.0), layout.size};
+  picture.pivot = content.rail_pivot.value_or(content.moment.handle);
   if (!is_map) {
-    const StageGrips grips = stage_grips(content.settings, content.moment, camera, layout);
+    const StageMoment& moment = hides_rest(content) ? moment_of_question(content) : content.moment;
+    const StageGrips grips = stage_grips(content.settings, moment, camera, layout, content.held_end);
     if (content.may_turn_motor) picture.motor_grips = grips.motor;
     if (content.may_turn_wall) picture.wall_grips = grips.wall;
+    if (content.may_move_parts) picture.parts = std::move(parts);
   }
   if (is_map)
     picture.landscape = landscape_layout(stage_landscape(content, camera, {layout.header_box(), layout.bottom}));
   if (!has_buttons) return picture;
-  for (const auto* const buttons : {&layout.strategies, &layout.header}) {
+  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.tools}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
+  picture.tools = layout.tools_box();
   for (const StageMenuRow& row : layout.menu) {
     picture.buttons.push_back({row.action, row.box, std::string(row.title)});
   }

@@ -2,6 +2,7 @@
 // world; and the names of the words that it places. What a layer of the stage is handed. One thread.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -29,11 +30,23 @@ struct StageLabel {
     handle,
     wall_share,
     hand,
+    loop,
     expected_rest,
     expected_contact,
     motor,
     wall,
   };
+};
+
+// The whole device in a small picture of its own, where the scene shows only a part of it. It does not move.
+struct DeviceInset {
+  ScreenBox box;
+  Vector<2> center;         // of what it shows [m]
+  double points_per_metre;  // in it
+
+  Vector<2> at(const Vector<2>& world) const {
+    return 0.5 * (box.least + box.most) + to_screen_direction(world - center) * points_per_metre;
+  }
 };
 
 struct StageCanvas {
@@ -71,6 +84,8 @@ struct StageCanvas {
     requests.push_back(std::move(request));
   }
   void add_labels();
+
+  std::optional<DeviceInset> inset{};
 
   std::vector<Role> roles_of_labels{};
   std::vector<Colour> colours_of_labels{};

@@ -15,6 +15,7 @@
 #include "app/stage/stage_lesson.h"
 #include "app/stage/stage_places.h"
 #include "app/stage/stage_sentence.h"
+#include "app/state/scene_parts.h"
 #include "app/state/session.h"
 #include "app/state/stage_language.h"
 #include "app/state/stage_moment.h"
@@ -23,10 +24,17 @@
 namespace ghostforce {
 
 // What a person can take hold of on the stage.
-enum class StageGrip : std::uint8_t { none, motor, wall };
+enum class StageGrip : std::uint8_t { none, motor, wall, part };
 
 // One thing at a time for somebody who is new here; each is said where it is done.
 enum class StageHint : std::uint8_t { drag, cure, motor };
+
+// What can be moved of a general scene, where it is seen.
+struct StagePart {
+  PlacedPart placed{};
+  Vector<2> place{0.0};           // [points]
+  double points_per_metre = 1.0;  // there
+};
 
 // A guess of where the handle comes to rest.
 struct StageGuess {
@@ -48,6 +56,12 @@ struct StageCornerButton {
   bool is_alarming = false;  // motors may push
 };
 
+// What is held of the rail, the wall or a part of the scene: it comes to the pointer as far as it can be seen there.
+struct HeldEnd {
+  StageGrip grip = StageGrip::none;
+  Vector<2> pointer{0.0};  // [points]
+};
+
 struct StageContent {
   const Settings& settings;  // of the moment that is shown
   StageMoment moment;
@@ -63,9 +77,15 @@ struct StageContent {
   StageAudience audience{};
   std::optional<StageHint> hint{};
   StageGrip hovered_grip = StageGrip::none;
+  bool is_dragging = false;  // something is held, and the view stands still
+  std::optional<HeldEnd> held_end{};
   std::optional<StageAction> hovered{};  // the button under the pointer
   bool may_turn_motor = false;           // by its ends
+  // What its rail goes through wherever it is turned to, once everything has come to rest; empty: the handle [m].
+  std::optional<Vector<2>> rail_pivot{};
   bool may_turn_wall = false;
+  bool may_move_parts = false;              // of a general scene: the ends of its device and its walls
+  std::optional<ScenePart> hovered_part{};  // with hovered_grip part
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};
@@ -81,6 +101,7 @@ struct StageContent {
   bool is_bare = false;      // the scene alone: no sentence, no large numbers, no buttons round it
   bool has_controls = true;  // else the buttons are left out, but for a lesson's: nobody can press them in a picture
   bool shows_menu = false;
+  SentenceWidths* widths = nullptr;  // see StageFrameWords
 };
 
 // What a frame of the stage is made from. It refers to what others hold for as long as the frame lasts.

@@ -15,21 +15,28 @@
 #include "app/state/kiosk_visit.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/mode_changes.h"
+#include "app/state/permit.h"
 #include "app/state/stage_action.h"
 #include "app/state/stage_view.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/target.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
 
-// Nothing must take the picture away from who is at work.
+// A show of rests needs some.
+bool rests_everywhere(const Session& session) {
+  return !is_general(session.settings) || rest_of(StrategyId::naive, session.settings, session.goal).has_value();
+}
+
+// Nothing must take the picture away from who is at work, or who wants it to stand still.
 bool may_show_itself(const Session& session, const StageFrame& frame) {
-  return session.face == Face::stage && (!session.lesson || invites_visitors(session)) &&
+  return !reduces_motion(session) && session.face == Face::stage && (!session.lesson || invites_visitors(session)) &&
          session.stage.mode == StageMode::none && session.dialog == Dialog::none && !session.paused &&
          !session.stage.looks_back_to_s && !session.stage.is_black && !session.notice && !frame.loop.recording.is_on &&
          !frame.loop.motors.has_motors && !frame.shown.snapshot.measured && session.pointer_moves_goal &&
-         !session.drags_goal;
+         !session.drags_goal && rests_everywhere(session);
 }
 
 // All of the circle, and all that comes to rest round it.
@@ -54,7 +61,10 @@ std::optional<StageHint> stage_hint(const Session& session, const StageMoment& m
     return StageHint::cure;
   }
   const bool has_one_motor = moment.weights[index_of(StrategyId::full)] == 0.0;
-  if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles) return StageHint::motor;
+  if (points_at(session, HintTarget::motor_axis) && has_one_motor && session.has_handles &&
+      !permit(session, TurnMotorTo{})) {
+    return StageHint::motor;
+  }
   return std::nullopt;
 }
 
@@ -90,7 +100,7 @@ std::optional<StageCornerButton> corner_button(const Session& session, const Mot
   }
   const StageChoice& stage = session.stage;
   if (session.lesson || stage.mode == StageMode::none) return std::nullopt;
-  const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
+  const bool is_in_wall = depth_in_wall(session.settings, session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) {
     const std::string_view words = guess.is_open  ? language.buttons.show_guess
                                    : is_revealing ? language.buttons.skip
@@ -128,6 +138,12 @@ std::optional<StageMeasuring> measuring_content(const Session& session) {
                         .asked = asked};
 }
 
+StageKeys keys_in(const Session& session) {
+  StageKeys keys = stage_keys();
+  if (!session.offers_full_screen) keys.full_screen = {};
+  return keys;
+}
+
 // What is not as it should be comes before what there is to see.
 std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
@@ -157,7 +173,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
 void StageFace::follow_session(const Session& session, const StageFrame& frame) {
   const bool is_other = std::exchange(scene_, session.scene) != session.scene;
   // What a device shows is what it does.
-  if (is_other || frame.shown.snapshot.measured) {
+  if (is_other || frame.shown.snapshot.measured || reduces_motion(session)) {
     transition_.jump_to(session.settings.active);
   } else {
     transition_.go_to(session.settings.active, session.stage.switches_slowly);
@@ -166,7 +182,7 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
 
 namespace {
 
-// Whether the numbers or what is round the scene lie over anything that must be seen.
+// Whether the numbers, the small picture or what is round the scene lie over anything that must be seen.
 bool is_covered(const StagePicture& picture, std::span<const StageStroke> strokes, double view_width) {
   const Camera& camera = picture.pane.camera;
   const double unit = camera.points_per_metre * view_width / stage_view_width;
@@ -176,8 +192,39 @@ bool is_covered(const StagePicture& picture, std::span<const StageStroke> stroke
     ScreenPiece piece{at(stroke.from), at(stroke.to), 0.0};
     const ScreenBox room = picture.scene.grown(-radius);
     if (!contains(room, piece.from) || !contains(room, piece.to)) return true;
-    return picture.numbers && clip(picture.numbers->grown(radius), piece);
+    const auto lies_over = [&](const std::optional<ScreenBox>& box) {
+      ScreenPiece below = piece;
+      return box && clip(box->grown(radius), below);
+    };
+    return lies_over(picture.numbers) || lies_over(picture.inset);
   });
+}
+
+}  // namespace
+
+// A moment that is looked back at may lie elsewhere. Nobody has asked for that view: once it is over, the one before is
+// there again, but for one that a person has moved meanwhile.
+void StageFace::give_view_back(Session& session, const StageFrame& frame) {
+  const bool is_chosen = session.fits_view || scene_ != session.scene || session.stage_shown != wanted_view_;
+  if (is_chosen) view_before_past_.reset();
+  if (!view_before_past_ || frame.shown.is_past || pointer_.is_holding()) return;
+  session.stage_shown = wanted_view_ = *view_before_past_;
+  view_before_past_.reset();
+}
+
+namespace {
+
+// Of a device whose handle comes to rest nowhere: where it is now [m].
+std::optional<Vector<2>> runaway_handle(const Session& session, const StageFrame& frame) {
+  const StrategyId id = session.settings.active;
+  if (!is_general(session.settings) || rest_of(id, session.settings, session.goal)) return std::nullopt;
+  return frame.shown.snapshot.strategies[index_of(id)].device;
+}
+
+SceneView fitting_view(const Session& session, const StageFrame& frame) {
+  const auto handle = runaway_handle(session, frame);
+  if (!handle || session.stage.mode == StageMode::landscape) return stage_view_of(session);
+  return stage_view_of(session.settings, std::array{session.goal, *handle}, reference_force_of(session));
 }
 
 }  // namespace
@@ -187,16 +234,25 @@ bool is_covered(const StagePicture& picture, std::span<const StageStroke> stroke
 void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
   constexpr double glides_s = 0.12;  // until two thirds of the way
   const bool is_other_scene = scene_ != session.scene;
+  give_view_back(session, frame);
+  const bool is_map = session.stage.mode == StageMode::landscape;
   if (std::exchange(session.fits_view, false)) {
-    session.stage_shown = stage_view_of(session);
-  } else if (session.stage_shown != wanted_view_ || is_other_scene || session.stage.mode == StageMode::landscape) {
+    session.stage_shown = fitting_view(session, frame);
+  } else if (session.stage_shown != wanted_view_ || is_other_scene || is_map) {
+    // A workspace that a device was given by a drag is shown once that is over.
+    const bool is_other_device = !pointer_.is_holding() && fitted_settings_.general != session.settings.general;
+    if (is_map && has_joints(session.settings) && is_other_device) session.stage_shown = stage_view_of(session);
+    if (!pointer_.is_holding()) fitted_settings_ = session.settings;
     view_ = session.stage_shown;
   } else if ((frame.shown.is_past || !pointer_.is_holding()) && !transition_.is_running() && !show_.is_on() &&
              !view_moves_) {
     const double reference_force = reference_force_of(session);
-    const bool is_other = fitted_settings_ != session.settings || fitted_goal_ != session.goal;
+    const std::optional<Vector<2>>& guess = session.stage.guess;
+    const bool is_other =
+        fitted_settings_ != session.settings || fitted_goal_ != session.goal || fitted_guess_ != guess;
     fitted_settings_ = session.settings;
     fitted_goal_ = session.goal;
+    fitted_guess_ = guess;
     const Snapshot& snapshot = frame.shown.snapshot;
     if (snapshot.measured || frame.shown.is_past) {
       // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
@@ -204,14 +260,20 @@ void StageFace::follow_view(Session& session, const StageFrame& frame, double in
           snapshot.measured ? snapshot.strategies[index_of(*snapshot.measured)].device : snapshot.goal;
       const std::array places{session.goal, there};
       const bool is_seen = contains(picture_.scene, to_screen(picture_.pane.camera, there));
+      if (!is_seen && !snapshot.measured && !view_before_past_) view_before_past_ = session.stage_shown;
       if (!is_seen) session.stage_shown = stage_view_of(session.settings, places, reference_force);
     } else if (is_other && session.pointer_moves_goal) {
-      const auto strokes = stage_strokes(settings_now(session), session.goal, reference_force);
-      if (is_covered(picture_, strokes, session.stage_shown.width)) session.stage_shown = stage_view_of(session);
+      auto strokes = stage_strokes(settings_now(session), session.goal, reference_force);
+      if (guess) strokes.push_back(guess_stroke(*guess));
+      const bool is_hidden = is_covered(picture_, strokes, session.stage_shown.width);
+      if (is_hidden) session.stage_shown = fitting_view(session, frame);
+    } else if (const auto handle = runaway_handle(session, frame)) {
+      const bool is_seen = contains(picture_.scene, to_screen(picture_.pane.camera, *handle));
+      if (!is_seen) session.stage_shown = fitting_view(session, frame);
     }
   }
   wanted_view_ = session.stage_shown;
-  const double share = 1.0 - std::exp(-interval_s / glides_s);
+  const double share = reduces_motion(session) ? 1.0 : 1.0 - std::exp(-interval_s / glides_s);
   view_.center = glm::mix(view_.center, session.stage_shown.center, share);
   view_.width = glm::mix(view_.width, session.stage_shown.width, share);
   const double apart =
@@ -283,7 +345,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .settings = shown.settings,
       .moment = shown.moment,
       .language = stage_language(session.language),
-      .keys = stage_keys(),
+      .keys = keys_in(session),
       .theme = frame.theme,
       .measure = frame.measure,
       .shown = session.stage_shown,
@@ -292,6 +354,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .scale = frame.scale,
       .mode = session.stage.mode,
       .audience = {.can_drag = session.pointer_moves_goal,
+                   .sees_show = show_.is_on() && !session.lesson,
                    .looks_back = frame.shown.is_past,
                    .feels_tones = frame.loop.hand.tone_gain > 0.0 && !show_.is_on() && !frame.shown.is_past,
                    .heads_for = shown.settings.active},
@@ -325,6 +388,14 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
 
 namespace {
 
+// One motor pushes the handle away from the hand along its rail: at rest the rail goes through the hand, which stands
+// still while it is turned. A handle that is held, or that does not move, stays where it is instead.
+std::optional<Vector<2>> pivot_of_rail(const Session& session, const StageMoment& moment) {
+  const bool comes_to_rest = session.pointer_moves_goal && !session.paused && !moment.is_measured;
+  const bool has_one_motor = session.settings.active != StrategyId::full && !is_general(session.settings);
+  return comes_to_rest && has_one_motor ? std::optional(session.goal) : std::nullopt;
+}
+
 // While the workbench is shown, what goes on by itself on the stage, and its modes, are not there.
 Session beside_stage(const Session& session) {
   Session plain = session;
@@ -350,9 +421,16 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   if (session.stage.mode != StageMode::round) content.shown = view_;
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
+  content.is_dragging = pointer_.is_holding();
+  content.held_end = pointer_.held_end();
   content.shows_menu = session.stage.shows_menu;
-  content.may_turn_motor = session.has_handles && is_allowed(session, LessonControl::motor);
-  content.may_turn_wall = session.has_handles && is_allowed(session, LessonControl::wall);
+  content.may_turn_motor = session.has_handles && !permit(session, TurnMotorTo{});
+  content.may_turn_wall = session.has_handles && !permit(session, TurnWallTo{});
+  content.may_move_parts = session.has_handles && is_general(session.settings) &&
+                           session.stage.mode != StageMode::why && !content.hides.handle;
+  content.hovered_part = pointer_.hovered_part();
+  content.widths = &widths_;
+  content.rail_pivot = pivot_of_rail(session, content.moment);
   // One thing to do at a time.
   if (content.warning.empty()) content.hint = stage_hint(session, content.moment, content.audience);
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));

@@ -6,6 +6,7 @@
 
 #include "app/stage/guess_game.h"
 #include "app/stage/idle_show.h"
+#include "app/stage/sentence_widths.h"
 #include "app/stage/stage.h"
 #include "app/stage/stage_content.h"
 #include "app/stage/stage_pointer.h"
@@ -53,10 +54,12 @@ class StageFace {
   Shown shown_in(const Session& session, const StageFrame& frame) const;
   StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
   void follow_view(Session& session, const StageFrame& frame, double interval_s);
+  void give_view_back(Session& session, const StageFrame& frame);
   void follow_session(const Session& session, const StageFrame& frame);
 
   StagePicture picture_;
   LabelMemory memory_;
+  SentenceWidths widths_;
   StageTransition transition_{StrategyId::full};
   GuessGame guess_;
   IdleShow show_;
@@ -65,10 +68,12 @@ class StageFace {
   SceneView view_;                      // on its way to the session's
   SceneView wanted_view_;               // of the frame before
   bool view_moves_ = false;
-  Settings seen_settings_;    // of the last frame
-  Vector<2> seen_goal_{0.0};  // of the last frame [m]
-  Settings fitted_settings_;  // that the view was last made to fit, or found to
+  std::optional<SceneView> view_before_past_;  // before it went to a moment of the past; empty: it did not
+  Settings seen_settings_;                     // of the last frame
+  Vector<2> seen_goal_{0.0};                   // of the last frame [m]
+  Settings fitted_settings_;                   // that the view was last made to fit, or found to
   Vector<2> fitted_goal_{0.0};
+  std::optional<Vector<2>> fitted_guess_;
 };
 
 }  // namespace ghostforce

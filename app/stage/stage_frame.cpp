@@ -98,15 +98,24 @@ constexpr double menu_padding = 18.0;
 constexpr double plate_padding = 7.0;
 constexpr double air_round_panel = 3.0;  // in which no words stand
 
+std::string_view words_of_part(const StageContent& content) {
+  const StageLanguage::Hovers& all = content.language.hovers;
+  if (content.hovered_part == ScenePart::elbow) return all.elbow;
+  const bool is_base = content.hovered_part == ScenePart::left_base || content.hovered_part == ScenePart::right_base;
+  return is_base ? all.motor_joint : all.part;
+}
+
 std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   // Who has pressed a button has read what it does, and the menu tells of its rows itself.
-  const bool is_on = content.hovered == StageAction(content.mode) || !layout.menu.empty();
+  // Who holds something knows what it is.
+  const bool is_on = content.hovered == StageAction(content.mode) || !layout.menu.empty() || content.is_dragging;
   const StageLanguage::Hovers& all = content.language.hovers;
   const std::string words = is_on             ? ""
                             : content.hovered ? hover_words(*content.hovered, content.language, content.keys)
                             : content.hovered_grip == StageGrip::wall  ? std::string(all.wall)
                             : content.hovered_grip == StageGrip::motor ? std::string(all.motor)
+                            : content.hovered_part                     ? std::string(words_of_part(content))
                                                                        : "";
   if (words.empty()) return std::nullopt;
   const TextStyle& style = layout.letters.words;
@@ -177,6 +186,7 @@ void add_menu(const StageLayer& layer) {
   const Theme& theme = content.theme;
   const TextStyle& style = layout.letters.words;
   const double padding = canvas.points(menu_padding);
+  const auto end_of = [](const StageMenuRow& row) { return row.box.most.y; };
   take_words_away(layer, layout.menu_box.grown(canvas.points(air_round_panel)));
   canvas.box(Role::button, layout.menu_box, canvas.points(10.0), theme.panel, theme.panel_border, canvas.width(2.0));
   for (const StageMenuRow& row : layout.menu) {
@@ -190,45 +200,48 @@ void add_menu(const StageLayer& layer) {
     const std::string key(row.key);
     canvas.text(Role::button, {box.most.x - padding - content.measure(key, style).x, top}, key, style, theme.faint_text,
                 false);
-    if (!is_hot) continue;
-    const double width = layout.menu_box.extent().x - 2.0 * padding;
-    canvas.text(Role::button, {box.least.x + padding, layout.menu.back().box.most.y + canvas.points(4.0)},
-                broken_into_lines(row.about, width, style, content.measure), style, theme.faint_text, false);
   }
+  if (layout.least_target > 0.0) return;
+  const auto hot = std::ranges::find_if(layout.menu, [&](const auto& row) { return is_hovered(content, row.action); });
+  const std::string_view about = hot == layout.menu.end() ? content.language.hovers.more : hot->about;
+  const double width = layout.menu_box.extent().x - 2.0 * padding;
+  const double below = std::ranges::max(layout.menu, {}, end_of).box.most.y + canvas.points(4.0);
+  canvas.text(Role::button, {layout.menu_box.least.x + padding, below},
+              broken_into_lines(about, width, style, content.measure), style, theme.faint_text, false);
 }
 
-// Above the button that it speaks of.
+// Beside the button that it speaks of, whatever lies there: far from it, nobody would know which one is meant. A mode has
+// words of its own.
 void add_cure_hint(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.hint != StageHint::cure) return;
-  const ScreenBox& button = layout.strategies.back().box;
+  if (content.hint != StageHint::cure || content.mode != StageMode::none) return;
   const TextStyle& style = layout.letters.bold_words;
   const std::string words(content.language.buttons.cure_hint);
   const Vector<2> extent = content.measure(words, style);
-  const double above = canvas.points(200.0);
-  const ScreenBox region{{layout.margin, button.least.y - extent.y - above},
-                         {layout.size.x - layout.margin, button.least.y - canvas.points(6.0)}};
-  const auto found = canvas.labels.place_block({.id = StageLabel::hint,
-                                                .extent = extent,
-                                                .region = region,
-                                                .wanted = {button.least.x, region.most.y - extent.y},
-                                                .may_cover = true});
-  if (found) canvas.text(Role::hint, found->box.least, words, style, faded(content.theme.accent, found->strength));
+  const double left = std::min(layout.strategies.back().box.least.x, layout.size.x - layout.margin - extent.x);
+  const Vector<2> corner(left, layout.strategies.front().box.least.y - canvas.points(10.0) - extent.y);
+  const ScreenBox box{corner, corner + extent};
+  if (canvas.labels.obstacles().is_crossed(box, Clearance::always)) {
+    add_plate(layer, Role::hint, box, under_sentences);
+  }
+  canvas.labels.keep_clear(box);
+  canvas.text(Role::hint, corner, words, style, content.theme.accent);
 }
 
 struct LargeNumber {
   std::string number;  // empty: it cannot be known
   std::string_view unit;
-  std::string_view words;
+  std::string words;
 };
 
 void add_number(const StageLayer& layer, const LargeNumber& number, const Vector<2>& corner) {
   const auto& [content, layout, canvas] = layer;
   const StageLetters& letters = layout.letters;
   const Theme& theme = content.theme;
-  // Pale on the way from one strategy to another: then it is no strategy's own.
+  // Pale on the way from one strategy to another: then it is no strategy's own. Less of it could not be read well.
+  constexpr double pale = 0.65;
   const Colour colour = stage_colour(content.moment, theme.strategy_text);
-  const Colour shown = content.moment.is_between() ? mix(theme.background, colour, 0.55) : colour;
+  const Colour shown = content.moment.is_between() ? mix(theme.background, colour, pale) : colour;
   const std::string digits = number.number.empty() ? "–" : number.number;
   const double width = content.measure(digits, letters.number).x;
   canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number, shown);
@@ -236,8 +249,14 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
               corner + Vector<2>(layout.number_width + canvas.points(14.0),
                                  0.79 * letters.number.height - 0.79 * letters.unit.height),
               std::string(number.unit), letters.unit, theme.faint_text);
-  canvas.text(Role::number, corner + Vector<2>(0.0, letters.number.height - canvas.points(6.0)),
-              std::string(number.words), letters.words, theme.faint_text);
+  canvas.text(Role::number, corner + Vector<2>(0.0, letters.number.height - canvas.points(6.0)), number.words,
+              letters.words, theme.faint_text);
+}
+
+constexpr double least_shown_torque = 0.005;  // [N·m]
+
+double ghost_effort(const StageContent& content) {
+  return efforts_of(content.settings, content.moment.handle, content.moment.ghost_force)[0];
 }
 
 }  // namespace
@@ -250,7 +269,8 @@ void add_plate(const StageLayer& layer, Role role, const ScreenBox& words, doubl
 
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.lesson) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
+  const bool is_crossed = canvas.labels.obstacles().is_crossed(layout.sentence_box, Clearance::always);
+  if (content.lesson || is_crossed) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
@@ -260,8 +280,11 @@ void add_place_of_numbers(const StageLayer& layer) {
   if (!layout.numbers) return;
   // A hand that is dragged may be there until it is let go, and must be seen, too.
   constexpr double under_numbers = 0.6;
-  const bool is_free = canvas.labels.obstacles().is_free(*layout.numbers, 0.0, Clearance::if_possible);
-  if (!is_free && !content.hides.numbers) add_plate(layer, Role::number, *layout.numbers, under_numbers);
+  const LabelObstacles& obstacles = canvas.labels.obstacles();
+  const bool covers_hand = obstacles.is_crossed(*layout.numbers, Clearance::if_possible);
+  if (!content.hides.numbers && obstacles.is_crossed(*layout.numbers, Clearance::always)) {
+    add_plate(layer, Role::number, *layout.numbers, covers_hand ? under_numbers : under_sentences);
+  }
   canvas.labels.keep_clear(layout.numbers->grown(canvas.points(plate_padding)));
 }
 
@@ -277,24 +300,66 @@ void add_numbers(const StageLayer& layer) {
                                        : !ghost                       ? all.ghost_force_unknown
                                        : *ghost <= -least_shown_force ? all.ghost_force_too_little
                                                                       : all.ghost_force;
+  // What it is at a motor that turns.
+  const double torque = has_joints(content.settings) ? std::abs(ghost_effort(content)) : 0.0;
+  const bool tells_torque = ghost && !content.hides.force && torque >= least_shown_torque;
+  const std::string ghost_told = tells_torque
+                                     ? filled(content.language.labels.torque, ghost_words, force_number(torque))
+                                     : std::string(ghost_words);
   const auto told = [](bool is_hidden, const std::optional<double>& number, const auto& words) -> std::string {
     return is_hidden ? "?" : number ? words(*number) : "";
   };
-  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_words}, box.least);
+  add_number(layer, {told(content.hides.force, ghost, force_number), "N", ghost_told}, box.least);
   const Vector<2> below(0.0, 0.5 * (box.extent().y + canvas.points(6.0)));
-  add_number(
-      layer,
-      {told(content.hides.slide, numbers.slide, slide_number), "mm", numbers.slide ? all.slide : all.slide_unknown},
-      box.least + below);
+  add_number(layer,
+             {told(content.hides.slide, numbers.slide, slide_number), "mm",
+              std::string(numbers.slide ? all.slide : all.slide_unknown)},
+             box.least + below);
 }
+
+namespace {
+
+void fade(Mark& mark, double strength) {
+  if (auto* const box = std::get_if<Box>(&mark.form)) {
+    box->fill = faded(box->fill, strength);
+    box->rim = faded(box->rim, strength);
+  } else if (auto* const label = std::get_if<Label>(&mark.form)) {
+    label->colour = faded(label->colour, strength);
+    label->halo = faded(label->halo, strength);
+  } else if (auto* const marker = std::get_if<Marker>(&mark.form)) {
+    marker->fill = faded(marker->fill, strength);
+    marker->rim = faded(marker->rim, strength);
+  } else if (auto* const line = std::get_if<Line>(&mark.form)) {
+    line->colour = faded(line->colour, strength);
+  }
+}
+
+// While something is dragged the view stands still: a button that lies over it is nearly clear until it is let go. The
+// one that stops motors never is.
+void add_button(const StageLayer& layer, const StageButton& button, const auto& add) {
+  const auto& [content, layout, canvas] = layer;
+  constexpr double over_what_is_dragged = 0.3;
+  const std::size_t begin = canvas.marks.size();
+  add(layer, button);
+  if (!content.is_dragging || !canvas.labels.obstacles().is_crossed(button.box, Clearance::if_possible)) return;
+  for (std::size_t i = begin; i < canvas.marks.size(); ++i) fade(canvas.marks[i], over_what_is_dragged);
+}
+
+}  // namespace
 
 void add_buttons(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  for (const StageButton& button : layout.strategies) add_strategy_button(layer, button);
-  for (const StageButton& button : layout.header) add_header_button(layer, button);
+  for (const StageButton& button : layout.strategies) add_button(layer, button, add_strategy_button);
+  for (const StageButton& button : layout.header) add_button(layer, button, add_header_button);
+  for (const StageButton& button : layout.tools) add_button(layer, button, add_header_button);
   if (content.lesson) add_lesson_frame(layer);
   if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
-  if (layout.corner) add_corner_button(layer, *layout.corner, content.corner->is_alarming);
+  if (layout.corner && content.corner->is_alarming) {
+    add_corner_button(layer, *layout.corner, true);
+  } else if (layout.corner) {
+    add_button(layer, *layout.corner,
+               [](const StageLayer& at, const StageButton& button) { add_corner_button(at, button, false); });
+  }
   if (const auto& link = layout.link) {
     canvas.text(Role::button, link->box.least, link->words, layout.letters.words,
                 is_hovered(content, link->action) ? content.theme.accent : content.theme.faint_text);
@@ -317,6 +382,7 @@ void keep_frame_clear(const StageLayer& layer) {
   const double rim = canvas.width(2.0);
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.header) labels.keep_clear(button.box.grown(rim));
+  for (const StageButton& button : layout.tools) labels.keep_clear(button.box.grown(rim));
   for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
     if (*button) labels.keep_clear((*button)->box.grown(rim));
   }

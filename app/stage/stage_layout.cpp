@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "app/stage/lesson_layout.h"
+#include "app/stage/sentence_widths.h"
 #include "app/stage/stage_places.h"
 #include "app/stage/stage_sentence.h"
 #include "app/state/stage_view.h"
@@ -35,6 +36,14 @@ constexpr double menu_lines = 3.0;     // below the rows, of what is said of one
 constexpr double menu_key_gap = 30.0;  // between the longest words and the widest key
 constexpr double gap = 14.0;
 constexpr double button_padding = 18.0;
+constexpr double below_numbers = 8.0;
+constexpr double below_upright_header = 18.0;
+
+// A window that is less wide or high than that is a phone's, where a finger wants buttons that are so high [points].
+constexpr double widest_phone = 500.0;
+constexpr double finger = 44.0;
+// Wider than that, for its height, a window has room for words beside the buttons above.
+constexpr double widest_upright = 0.7;
 
 // The number block must leave the lower half to the scene.
 constexpr double greatest_block = 0.6;
@@ -49,20 +58,29 @@ StageLetters letters_at(double unit, double longer_text_em) {
           style(number_em, true), style(unit_em, false), style(about_em, false)};
 }
 
-// Of those that may stand where the sentence does: letters must be small enough for it, so that they do not change with
-// what is said.
-std::string_view longest_text(const MeasureText& measure, const StageFrameWords& words) {
-  if (words.lesson != nullptr) return words.lesson->longest_text;
-  const TextStyle style = letters_at(1.0, sentence_em).sentence;
-  return std::ranges::max(words_of(words.language.sentences), {},
-                          [&](std::string_view sentence) { return measure(sentence, style).x; });
-}
-
 // What is the same at every size.
 struct StageTexts {
-  std::string_view longest;
-  std::vector<StageMenuRow> menu;  // empty: it is closed
+  // All that may stand where the sentence does: the language's own, see SentenceWidths, in a lesson its warnings alone.
+  std::vector<std::string_view> there;
+  bool has_sentences = false;
+  // Of the sentences, or of the lesson's texts: letters must be small enough for it, so that they do not change with what
+  // is said.
+  std::string_view longest{};
+  std::vector<StageMenuRow> menu{};  // empty: it is closed
 };
+
+StageTexts texts_of(const MeasureText& measure, const StageFrameWords& words, SentenceWidths& widths) {
+  StageTexts texts{.there = all_said_there(words.language), .has_sentences = words.lesson == nullptr};
+  if (words.lesson != nullptr) {
+    texts.longest = words.lesson->longest_text;
+  } else {
+    const std::vector<double>& wide = widths.of(words.language, letters_at(1.0, sentence_em).sentence, measure);
+    const auto widest = std::max_element(wide.begin(), wide.begin() + sentence_count);
+    texts.longest = texts.there[static_cast<std::size_t>(widest - wide.begin())];
+  }
+  if (words.shows_menu) texts.menu = stage_menu(words.language, words.keys);
+  return texts;
+}
 
 // What the strategies' buttons say: less in each, and so in narrower ones.
 enum class CardWords : std::uint8_t { name_and_about, name, name_in_two_lines };
@@ -77,11 +95,13 @@ std::string_view longer_line(std::string_view name) {
 class Arrangement {
  public:
   Arrangement(const Vector<2>& size, double scale, const MeasureText& measure, const StageFrameWords& words,
-              const StageTexts& texts)
-      : measure_(measure), words_(words), texts_(texts) {
+              const StageTexts& texts, SentenceWidths& widths)
+      : measure_(measure), words_(words), texts_(texts), widths_(widths) {
     layout_.size = size;
     layout_.unit = size.y / height_of_design * scale;
     layout_.margin = points(edge_margin);
+    layout_.least_target = std::min(size.x, size.y) < widest_phone ? finger : 0.0;
+    layout_.is_upright = size.x < widest_upright * size.y;
     layout_.letters = letters_at(layout_.unit, words.lesson ? lesson_em : sentence_em);
   }
 
@@ -93,20 +113,25 @@ class Arrangement {
       buttons_fit = arrange_lesson(*words_.lesson, words_, measure_, layout_);
     } else {
       arrange_header();
-      buttons_fit = arrange_buttons(shown);
+      buttons_fit = layout_.header_left >= 0.0 && arrange_buttons(shown);
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
     const bool sentence_fits = lines(texts_.longest, mark_width(true)).size() <= most;
     const double block_height =
-        layout_.margin + static_cast<double>(most) * layout_.letters.sentence.height + numbers_size_.y;
-    return buttons_fit && sentence_fits && block_height <= greatest_block * layout_.size.y;
+        first_line() + static_cast<double>(most) * layout_.letters.sentence.height + numbers_size_.y;
+    // In an upright window the buttons stand below each other, and leave the scene less.
+    constexpr double least_scene = 300.0;
+    const double tools_height = points(below_numbers) + target(header_height);
+    const bool scene_fits = !layout_.is_upright || words_.lesson != nullptr || layout_.strategies.empty() ||
+                            layout_.strategies.front().box.least.y - block_height - tools_height >= points(least_scene);
+    return buttons_fit && sentence_fits && scene_fits && block_height <= greatest_block * layout_.size.y;
   }
 
   StageLayout finished() {
     const bool has_mark = words_.lesson != nullptr && words_.lesson->is_right;
     layout_.sentence = lines(words_.sentence, mark_width(has_mark));
-    layout_.sentence_box.least = Vector<2>(layout_.margin + mark_width(has_mark), layout_.margin - points(8.0));
+    layout_.sentence_box.least = Vector<2>(layout_.margin + mark_width(has_mark), first_line() - points(8.0));
     if (has_mark) {
       const double side = layout_.letters.sentence.height;
       const Vector<2> corner(layout_.margin, layout_.sentence_box.least.y);
@@ -123,12 +148,14 @@ class Arrangement {
     layout_.words_end = layout_.sentence_box.least.y + static_cast<double>(most) * layout_.letters.sentence.height;
     layout_.top = std::max(layout_.sentence_box.most.y, layout_.header_end().most.y);
     if (layout_.lesson) layout_.top = std::max(layout_.top, layout_.lesson->title_box.most.y);
-    layout_.bottom = layout_.lesson      ? layout_.lesson->top
-                     : layout_.measuring ? layout_.measuring->box.least.y
-                                         : layout_.strategies.front().box.least.y;
+    layout_.bottom = layout_.lesson                         ? layout_.lesson->top
+                     : layout_.measuring                    ? layout_.measuring->box.least.y
+                     : layout_.corner && layout_.is_upright ? layout_.corner->box.least.y
+                                                            : layout_.strategies.front().box.least.y;
     const Vector<2> corner(layout_.margin, layout_.words_end + points(6.0));
     const ScreenBox numbers{corner, corner + numbers_size_};
     if (numbers.most.x <= layout_.size.x && numbers.most.y <= layout_.bottom) layout_.numbers = numbers;
+    if (words_.has_tools) arrange_tools();
     return std::move(layout_);
   }
 
@@ -137,7 +164,18 @@ class Arrangement {
 
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
+  double target(double of_design) const { return std::max(points(of_design), layout_.least_target); }
+
+  // Where the first line of words begins.
+  double first_line() const {
+    if (!layout_.is_upright) return layout_.margin;
+    const double end = layout_.lesson ? std::max(layout_.lesson->title_box.most.y, layout_.lesson->corner.most.y)
+                                      : layout_.header_end().most.y;
+    return end + points(below_upright_header);
+  }
+
   double sentence_width(double indented_by) const {
+    if (layout_.is_upright) return layout_.size.x - 2.0 * layout_.margin - indented_by;
     return layout_.header_left - points(gap) - layout_.margin - indented_by;
   }
 
@@ -145,19 +183,14 @@ class Arrangement {
     return broken_into_lines(words, sentence_width(indented_by), layout_.letters.sentence, measure_);
   }
 
-  // Of all that may stand where the sentence does. In most windows nothing is wider than a line, and is only measured.
+  // Of all that may stand where the sentence does. In most windows nothing is wider than a line.
   std::size_t most_lines_there() const {
     const double width = sentence_width(mark_width(true));
-    std::size_t most = 1;
-    const auto count = [&](std::string_view words) {
-      if (measure_(words, layout_.letters.sentence).x > width)
-        most = std::max(most, lines(words, mark_width(true)).size());
-    };
-    std::ranges::for_each(words_of(words_.language.warnings), count);
-    if (words_.lesson != nullptr) {
-      count(texts_.longest);
-    } else {
-      std::ranges::for_each(words_of(words_.language.sentences), count);
+    const auto lines_of = [&](std::string_view text) { return lines(text, mark_width(true)).size(); };
+    const std::vector<double>& wide = widths_.of(words_.language, layout_.letters.sentence, measure_);
+    std::size_t most = texts_.has_sentences ? 1 : lines_of(texts_.longest);
+    for (std::size_t i = texts_.has_sentences ? 0 : sentence_count; i < wide.size(); ++i) {
+      if (wide[i] > width) most = std::max(most, lines_of(texts_.there[i]));
     }
     return most;
   }
@@ -170,7 +203,7 @@ class Arrangement {
     const auto add = [&](const StageAction& action, std::string_view words) {
       const double width = measure_(words, layout_.letters.words).x + points(2.0 * header_padding);
       layout_.header.push_back(
-          {action, {{right - width, top}, {right, top + points(header_height)}}, std::string(words)});
+          {action, {{right - width, top}, {right, top + target(header_height)}}, std::string(words)});
       right -= width + points(header_gap);
     };
     add(StageCommand::menu, words_.language.header.more);
@@ -193,15 +226,48 @@ class Arrangement {
     }
     const double width = words + keys + points(menu_key_gap + 2.0 * button_padding);
     const ScreenBox& button = layout_.header.back().box;
-    double top = button.most.y + points(header_gap);
-    layout_.menu_box = {{button.most.x - width, top}, {button.most.x, top}};
-    top += points(header_gap);
-    for (StageMenuRow& row : layout_.menu) {
-      const double bottom = top + points(menu_row_height);
-      row.box = {{layout_.menu_box.least.x, top}, {button.most.x, bottom}};
-      top = bottom;
+    const double top = button.most.y + points(header_gap);
+    const double first_top = top + points(header_gap);
+    // Fingers do not hover.
+    const bool tells_of_rows = layout_.least_target == 0.0;
+    const double below = tells_of_rows ? points(gap) + menu_lines * layout_.letters.words.height : points(header_gap);
+    // Where the picture is too low for all rows as a finger wants them, in two columns.
+    const double room = layout_.size.y - first_top - below;
+    const bool is_low = room < target(menu_row_height) * static_cast<double>(layout_.menu.size());
+    const std::size_t columns = is_low && 2.0 * width <= button.most.x - layout_.margin ? 2 : 1;
+    const std::size_t rows = (layout_.menu.size() + columns - 1) / columns;
+    const double row_height =
+        std::max(points(menu_row_height), std::min(layout_.least_target, room / static_cast<double>(rows)));
+    layout_.menu_box = {{button.most.x - width * static_cast<double>(columns), top},
+                        {button.most.x, first_top + row_height * static_cast<double>(rows) + below}};
+    for (std::size_t i = 0; i < layout_.menu.size(); ++i) {
+      const Vector<2> corner(layout_.menu_box.least.x + width * static_cast<double>(i / rows),
+                             first_top + row_height * static_cast<double>(i % rows));
+      layout_.menu[i].box = {corner, corner + Vector<2>(width, row_height)};
     }
-    layout_.menu_box.most.y = top + points(gap) + menu_lines * layout_.letters.words.height;
+  }
+
+  // Below the numbers; where there is no room left, beside them.
+  void arrange_tools() {
+    double left = layout_.margin;
+    double top = (layout_.numbers ? layout_.numbers->most.y : layout_.words_end) + points(below_numbers);
+    if (layout_.numbers && top + target(header_height) > layout_.bottom) {
+      left = layout_.numbers->most.x + points(gap);
+      top = layout_.words_end + points(below_numbers);
+    }
+    const auto add = [&](StageCommand command, std::string_view words) {
+      const double width =
+          std::max(measure_(words, layout_.letters.words).x + points(2.0 * header_padding), layout_.least_target);
+      const ScreenBox box{{left, top}, {left + width, top + target(header_height)}};
+      if (box.most.y <= layout_.bottom) layout_.tools.push_back({command, box, std::string(words)});
+      left = box.most.x + points(header_gap);
+    };
+    add(StageCommand::fit, words_.language.header.fit);
+    add(StageCommand::reset, words_.language.header.reset);
+    // Elsewhere it stands at the end of the row below.
+    if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
+      add(StageCommand::link, filled(words_.language.buttons.link, words_.keys.link));
+    }
   }
 
   bool arrange_buttons(CardWords shown) {
@@ -209,7 +275,8 @@ class Arrangement {
     double x = layout_.margin;
     const bool is_broken = shown == CardWords::name_in_two_lines;
     const double height =
-        is_broken ? 2.0 * layout_.letters.words.height + points(two_lines_padding) : points(button_height);
+        is_broken ? 2.0 * layout_.letters.words.height + points(two_lines_padding) : target(button_height);
+    if (layout_.is_upright) return arrange_column(shown, target(button_height));
     for (const Strategy& strategy : strategy_catalog()) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
       StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
@@ -241,10 +308,35 @@ class Arrangement {
     return x - points(gap) <= right;
   }
 
+  // One below the other, as wide as the window; what stands at a row's other end is above them.
+  bool arrange_column(CardWords shown, double height) {
+    const double left = layout_.margin;
+    const double right = layout_.size.x - layout_.margin;
+    double bottom = layout_.size.y - layout_.margin;
+    bool all_fit = true;
+    for (const Strategy& strategy : strategy_catalog() | std::views::reverse) {
+      if (strategy.id == StrategyId::full && !words_.has_full) continue;
+      StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
+      if (shown != CardWords::name_and_about) words.about = "";
+      all_fit = all_fit && strategy_button_width(words, layout_.unit, layout_.letters, measure_) <= right - left;
+      layout_.strategies.push_back(
+          {strategy.id, {{left, bottom - height}, {right, bottom}}, std::string(words.name), std::string(words.about)});
+      bottom -= height + points(0.5 * gap);
+    }
+    std::ranges::reverse(layout_.strategies);
+    layout_.corner.reset();
+    layout_.link.reset();
+    if (!words_.corner.empty()) {
+      layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
+      arrange_measuring();
+    }
+    return all_fit;
+  }
+
   StageButton button_ending_at(const Vector<2>& end, std::string_view words, std::string_view longest,
                                const StageAction& action) const {
     const double width = measure_(longest, layout_.letters.bold_words).x + points(2.0 * button_padding);
-    return {action, {end - Vector<2>(width, points(button_height)), end}, std::string(words)};
+    return {action, {end - Vector<2>(width, target(button_height)), end}, std::string(words)};
   }
 
   // Where the corner is the motors', above it.
@@ -274,6 +366,7 @@ class Arrangement {
   const MeasureText& measure_;
   const StageFrameWords& words_;
   const StageTexts& texts_;
+  SentenceWidths& widths_;
   StageLayout layout_;
   Vector<2> numbers_size_{0.0};
 };
@@ -284,11 +377,12 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
                          const StageFrameWords& words) {
   constexpr double step = 0.97;
   constexpr int most_steps = 100;
-  const StageTexts texts{longest_text(measure, words),
-                         words.shows_menu ? stage_menu(words.language, words.keys) : std::vector<StageMenuRow>()};
+  SentenceWidths measured_anew;
+  SentenceWidths& widths = words.widths != nullptr ? *words.widths : measured_anew;
+  const StageTexts texts = texts_of(measure, words, widths);
   const auto scale_after = [&](int steps) { return scale * std::pow(step, steps); };
   const auto fits = [&](int steps) {
-    return Arrangement(size, scale_after(steps), measure, words, texts).arrange(CardWords::name_in_two_lines);
+    return Arrangement(size, scale_after(steps), measure, words, texts, widths).arrange(CardWords::name_in_two_lines);
   };
   // The first that fits.
   int too_large = -1;
@@ -301,7 +395,7 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
     const int between = (too_large + fitting) / 2;
     (fits(between) ? fitting : too_large) = between;
   }
-  Arrangement arrangement(size, scale_after(fitting), measure, words, texts);
+  Arrangement arrangement(size, scale_after(fitting), measure, words, texts, widths);
   for (const CardWords shown : {CardWords::name_and_about, CardWords::name, CardWords::name_in_two_lines}) {
     if (arrangement.arrange(shown)) break;
   }
@@ -311,7 +405,8 @@ StageLayout stage_layout(const Vector<2>& size, double scale, const MeasureText&
 double scale_over_stage(const Vector<2>& size, double scale) noexcept {
   constexpr double room_of_dialogs = 640.0;  // at a scale of 1 all dialogs fit into a square of that side [points]
   constexpr double steps = 15.0;             // to 1, as the letters of a dialog are high: a whole point each
-  const double grown = std::min(scale * size.y / height_of_design, std::min(size.x, size.y) / room_of_dialogs);
+  constexpr double larger = 1.25;            // beside the large letters of the stage
+  const double grown = std::min(larger * scale * size.y / height_of_design, std::min(size.x, size.y) / room_of_dialogs);
   constexpr double rounding = 1e-6;
   return std::max(scale, std::floor(steps * grown + rounding) / steps);
 }
@@ -332,7 +427,8 @@ StageLayout bare_stage_layout(const Vector<2>& size, double scale) {
 Camera stage_camera(const SceneView& shown, const StageLayout& layout) {
   constexpr Vector<2> middle{0.52, 0.60};      // of what is above the row of buttons, from its upper left corner
   constexpr double with_buttons = 1.0 / 0.86;  // the picture's height over that
-  constexpr double things = 92.0;              // that are as large as letters are: how far they reach to each side
+  // That are as large as letters are: how far they reach to each side. An upright window has no room to spare there.
+  const double things = layout.is_upright ? 96.0 : 92.0;
   constexpr double air = 8.0;
   const double around = air * layout.unit;
   const double header_end = layout.lesson ? layout.lesson->title_box.most.y : layout.header_end().most.y;
@@ -343,6 +439,10 @@ Camera stage_camera(const SceneView& shown, const StageLayout& layout) {
   if (layout.numbers) {
     beside.least.x = layout.numbers->most.x + around;
     below.least.y = layout.numbers->most.y + around;
+  }
+  if (const auto tools = layout.tools_box()) {
+    beside.least.x = std::max(beside.least.x, tools->most.x + around);
+    below.least.y = std::max(below.least.y, tools->most.y + around);
   }
   Camera camera = camera_on(shown.center, shown.width, {layout.size.x, with_buttons * layout.bottom});
   const double usual = camera.points_per_metre * shown.width / stage_view_width;
@@ -375,6 +475,8 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
   }
   if (action == StageAction(StageCommand::lessons)) return filled(language.hovers.lessons, keys.lessons);
   if (action == StageAction(StageCommand::menu)) return std::string(language.hovers.more);
+  if (action == StageAction(StageCommand::fit)) return std::string(language.hovers.fit);
+  if (action == StageAction(StageCommand::reset)) return std::string(language.hovers.reset);
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }
@@ -388,6 +490,9 @@ std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageK
   const StageLanguage::MenuRows& all = language.menu_rows;
   rows.push_back({Face::workbench, all.workbench.title, "F4", all.workbench.about});
   rows.push_back({StageCommand::palette, all.actions.title, "Ctrl+P", all.actions.about});
+  if (!keys.full_screen.empty()) {
+    rows.push_back({StageCommand::full_screen, all.full_screen.title, keys.full_screen, all.full_screen.about});
+  }
   rows.push_back({StageCommand::keys, all.keys.title, keys.help, all.keys.about});
   return rows;
 }

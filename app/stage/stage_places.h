@@ -90,6 +90,10 @@ struct StageLayout {
   Vector<2> size{1.0};
   double unit = 1.0;    // a point of a picture 720 points high, at the scale that fits
   double margin = 1.0;  // to the window's edges
+  // Of a phone: no button is less high than a finger wants it; in an upright one what stands above at the right has a
+  // row of its own, and so has each strategy.
+  double least_target = 0.0;
+  bool is_upright = false;
   StageLetters letters{};
   std::vector<std::string> sentence;  // its lines
   ScreenBox sentence_box;
@@ -107,11 +111,23 @@ struct StageLayout {
   double header_left = 0.0;          // where what stands above at the right begins
   std::optional<ScreenBox> numbers;  // below the sentence; empty: a bare scene, or a window too small for them
   double number_width = 0.0;         // of the widest number
+  std::vector<StageButton> tools;    // below them
 
   // Between them lies the scene.
   double top = 0.0;
   double bottom = 0.0;
   ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
+
+  // Round all of these; empty: there are none.
+  std::optional<ScreenBox> tools_box() const noexcept {
+    std::optional<ScreenBox> all;
+    for (const StageButton& tool : tools) {
+      if (!all) all = tool.box;
+      all->include(tool.box.least);
+      all->include(tool.box.most);
+    }
+    return all;
+  }
 
   // The end of what stands above at the right.
   const ScreenBox& header_end() const noexcept { return lesson ? lesson->corner : header.back().box; }
@@ -127,6 +143,8 @@ struct StageLayout {
   ScreenBox room() const { return {Vector<2>(10.0 * unit), {size.x - 10.0 * unit, bottom - 6.0 * unit}}; }
 };
 
+class SentenceWidths;
+
 // What the layout has to find room for.
 struct StageFrameWords {
   const StageLanguage& language;
@@ -138,6 +156,8 @@ struct StageFrameWords {
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
   bool shows_menu = false;
+  bool has_tools = false;            // the view can be made to fit, and the motion begun anew
+  SentenceWidths* widths = nullptr;  // of the picture before; null: all is measured anew
 };
 
 // What the button of a strategy says; `about` is empty where there is room for the name alone.

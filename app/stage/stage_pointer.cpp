@@ -102,11 +102,18 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
   };
   if (scene.is_at_rail_end(pointer)) return Hold::motor;
   if (picture.wall_grips && is_at(*picture.wall_grips)) return Hold::wall;
+  // The hand before what it may have been dragged over.
+  if (scene.is_near(pointer, scene.screen(session.goal), hand_room)) return Hold::goal;
+  for (const StagePart& part : picture.parts) {
+    if (!scene.is_near(pointer, part.place, stage_grip_reach)) continue;
+    part_ = part;
+    return Hold::part;
+  }
   return Hold::goal;
 }
 
 // Wherever it is dragged to.
-bool StagePointer::may_hold(const Session& session, Hold hold) {
+bool StagePointer::may_hold(const Session& session, Hold hold) const {
   const auto may = [&](const Action& action) { return !permit(session, action); };
   switch (hold) {
     case Hold::nothing:
@@ -117,6 +124,8 @@ bool StagePointer::may_hold(const Session& session, Hold hold) {
       return may(TurnMotorTo{});
     case Hold::wall:
       return may(TurnWallTo{});
+    case Hold::part:
+      return may(MovePart{part_.placed.part, part_.placed.at}) || (part_.placed.may_have_motor && may(SwitchMotor{}));
     case Hold::picture:
       return may(MoveView{});
     case Hold::guess:
@@ -148,6 +157,7 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
   if (session.drags_goal) apply(LetGoOfHand{});
 
   if (!is_held) {
+    if (hold_ == Hold::part && !has_moved_part_ && part_.placed.may_have_motor) apply(SwitchMotor{});
     hold_ = Hold::nothing;
     hovered_.reset();
     hovered_grip_ = StageGrip::none;
@@ -156,6 +166,7 @@ void StagePointer::update(const Session& session, const ActionSink& apply, const
     if (may_hold(session, hold)) {
       if (hold == Hold::motor) hovered_grip_ = StageGrip::motor;
       if (hold == Hold::wall) hovered_grip_ = StageGrip::wall;
+      if (hold == Hold::part) hovered_grip_ = StageGrip::part;
       if (hold != Hold::goal) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
     }
   }
@@ -190,9 +201,30 @@ void StagePointer::begin(const Session& session, const ActionSink& apply, const 
     if (!contains(*menu, pointer)) apply(ToggleMenu{});
   } else {
     hold_ = hold_at(session, scene, pointer);
-    if (hold_ == Hold::motor) held_angle_.begin(pointer, session.settings.actuated_angle);
-    if (hold_ == Hold::wall) held_angle_.begin(pointer, session.settings.wall_normal_angle);
+    if (hold_ == Hold::motor) begin_to_turn_motor(session, scene, pointer);
+    if (hold_ == Hold::wall) begin_to_turn_wall(session, pointer);
+    pressed_at_ = pointer;
+    has_moved_part_ = false;
   }
+}
+
+// What is held stays as far beside the pointer as it was when it was taken hold of, so that nothing jumps and the rail
+// goes through there, however near to the pivot that was. The handle moves as its motor is turned: were the pivot to move
+// with it, the rail would turn on by itself.
+void StagePointer::begin_to_turn_motor(const Session& session, const Scene& scene, const Vector<2>& pointer) {
+  pivot_ = scene.picture.pivot;
+  const double angle = session.settings.actuated_angle;
+  const Vector<2> along = to_screen_direction(direction_at(angle));
+  const Vector<2> across{-along.y, along.x};
+  const double reach = stage_grip_reach * scene.picture.unit;
+  beside_rail_ = std::clamp(glm::dot(pointer - scene.screen(pivot_), across), -reach, reach) * across;
+  held_angle_.begin(pointer - beside_rail_, angle);
+}
+
+void StagePointer::begin_to_turn_wall(const Session& session, const Vector<2>& pointer) {
+  pivot_ = session.settings.wall_point;
+  beside_rail_ = Vector<2>(0.0);
+  held_angle_.begin(pointer, session.settings.wall_normal_angle);
 }
 
 // Each button once more, for the keyboard: the pointer belongs to the whole stage, which comes first.
@@ -221,10 +253,10 @@ void StagePointer::press_by_key(const ActionSink& apply, const StageFrame& frame
 std::optional<Action> StagePointer::drag(const Session& session, const Scene& scene, const Vector<2>& pointer) {
   const StagePicture& picture = scene.picture;
   // The hand stays where it can be seen.
-  const ScreenBox box = picture.scene.grown(-hand_room * picture.unit);
+  const ScreenBox box = picture.reach.grown(-hand_room * picture.unit);
   const Vector<2> inside = glm::clamp(pointer, box.least, glm::max(box.least, box.most));
-  const auto turned = [&](const Vector<2>& pivot) {
-    return held_angle_.turned(scene.screen(pivot), pointer, 1.0, ImGui::GetIO().KeyCtrl);
+  const auto turned = [&] {
+    return held_angle_.turned(scene.screen(pivot_), pointer - beside_rail_, 1.0, ImGui::GetIO().KeyCtrl);
   };
   switch (hold_) {
     case Hold::nothing:
@@ -234,10 +266,17 @@ std::optional<Action> StagePointer::drag(const Session& session, const Scene& sc
     case Hold::guess:
       return MoveGuessTo{scene.world(inside)};
     case Hold::motor:
-      if (const auto angle = turned(picture.pivot)) return TurnMotorTo{*angle};
+      if (const auto angle = turned()) return TurnMotorTo{*angle};
       break;
     case Hold::wall:
-      if (const auto angle = turned(session.settings.wall_point)) return TurnWallTo{*angle};
+      if (const auto angle = turned()) return TurnWallTo{*angle};
+      break;
+    case Hold::part:
+      has_moved_part_ = has_moved_part_ || glm::distance(pointer, pressed_at_) > HeldAngle::first_turn * picture.unit;
+      if (has_moved_part_ && !part_.placed.stays) {
+        return MovePart{part_.placed.part,
+                        part_.placed.at + to_screen_direction(pointer - pressed_at_) / part_.points_per_metre};
+      }
       break;
     case Hold::picture:
       return MoveView{-to_screen_direction(pointer - last_) / picture.pane.camera.points_per_metre};

@@ -8,6 +8,7 @@
 #include "app/stage/stage_layers.h"
 #include "app/stage/stage_scene.h"
 #include "app/state/stage_view.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -15,12 +16,12 @@ namespace {
 constexpr Colour skin = rgb(0xF3C9A5);
 constexpr Colour skin_rim = rgb(0x6B4A31);
 
-Vector<2> normal_on_screen(const StageContent& content) {
-  return to_screen_direction(direction_at(content.settings.wall_normal_angle));
+Vector<2> normal_on_screen(const StageContent& content, const Vector<2>& place) {
+  return to_screen_direction(wall_near(content.settings, place).normal);
 }
 
 Vector<2> motor_on_screen(const StageContent& content) {
-  return to_screen_direction(direction_at(content.settings.actuated_angle));
+  return to_screen_direction(rail_direction(content.settings, content.moment.handle));
 }
 
 // Half the rail's length to either side of the handle [points of the design].
@@ -40,26 +41,37 @@ double reach_outside(const Vector<2>& middle, const Vector<2>& to, const std::op
   return glm::distance(middle, meets ? piece.from : to);
 }
 
-// Whoever takes hold of something must see it.
-std::optional<ScreenBox> beside_numbers(const StageLayout& layout, double distance) {
-  return layout.numbers ? std::optional(layout.numbers->grown(distance * layout.unit)) : std::nullopt;
+// The numbers, and what is below them. Whoever takes hold of something must see it.
+std::optional<ScreenBox> beside_column(const StageLayout& layout, double distance) {
+  std::optional<ScreenBox> column = layout.numbers;
+  if (const auto tools = layout.tools_box()) {
+    if (!column) column = tools;
+    column->include(tools->least);
+    column->include(tools->most);
+  }
+  return column ? std::optional(column->grown(distance * layout.unit)) : std::nullopt;
 }
 
 std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                                   const StageLayout& layout) {
+                                   const StageLayout& layout, const std::optional<HeldEnd>& held) {
   constexpr double to_edges = 24.0;
+  constexpr double beside_handle = 50.0;  // at least, or a knob would lie on it; beyond the scene if it must
   const double unit = layout.unit;
-  const Vector<2> along = to_screen_direction(direction_at(settings.actuated_angle));
+  const Vector<2> along = to_screen_direction(rail_direction(settings, moment.handle));
   const Vector<2> middle = to_screen(camera, moment.handle);
   const double to_hand = glm::dot(to_screen(camera, moment.goal) - middle, along);
   // One motor's rail can be seen beyond the hand, too.
   const auto end = [&](double side) {
     const double of_one_motor = std::max(long_rail * unit, side * to_hand + beyond_hand * unit);
-    const double reach = glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     const Vector<2> direction = side * along;
+    const double of_held = held && held->grip == StageGrip::motor ? glm::dot(held->pointer - middle, direction) : 0.0;
+    const double reach = of_held > 0.0 ? of_held : glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     ScreenPiece piece{middle, middle + direction * reach, 0.0};
-    if (!clip(layout.scene().grown(-to_edges * unit), piece)) return middle;
-    return middle + direction * reach_outside(middle, piece.to, beside_numbers(layout, to_edges));
+    // A handle that is dragged below the buttons takes its rail along.
+    const ScreenBox seen = contains(layout.scene(), middle) ? layout.scene() : ScreenBox{Vector<2>(0.0), layout.size};
+    const bool is_seen = clip(seen.grown(-to_edges * unit), piece);
+    const double shown = is_seen ? reach_outside(middle, piece.to, beside_column(layout, to_edges)) : 0.0;
+    return middle + direction * std::max(shown, beside_handle * unit);
   };
   return {end(-1.0), end(1.0)};
 }
@@ -86,28 +98,45 @@ Colour stage_colour(const StageMoment& moment, const PerStrategy<Colour>& colour
   return mixed;
 }
 
+void add_knob(const StageLayer& layer, const Vector<2>& place, bool is_hot) {
+  const auto& [content, layout, canvas] = layer;
+  canvas.disc(Role::handle, place, canvas.points(is_hot ? 11.0 : 8.0), content.theme.background,
+              is_hot ? content.theme.accent : content.theme.wall_edge, canvas.width(3.0));
+  canvas.labels.keep_clear(place, place, canvas.points(12.0));
+}
+
 namespace {
 
-// To turn something by.
 void add_knobs(const StageLayer& layer, const std::array<Vector<2>, 2>& places, StageGrip grip) {
-  const auto& [content, layout, canvas] = layer;
-  const bool is_hot = content.hovered_grip == grip;
-  for (const Vector<2>& place : places) {
-    canvas.disc(Role::handle, place, canvas.points(is_hot ? 11.0 : 8.0), content.theme.background,
-                is_hot ? content.theme.accent : content.theme.wall_edge, canvas.width(3.0));
-    canvas.labels.keep_clear(place, place, canvas.points(12.0));
-  }
+  for (const Vector<2>& place : places) add_knob(layer, place, layer.content.hovered_grip == grip);
 }
 
 }  // namespace
 
-void add_stage_wall(const StageLayer& layer) {
+namespace {
+
+// It ends before Fit and Reset, as the rail does, and goes on behind them.
+void add_wall_edge(const StageLayer& layer, const Vector<2>& from, const Vector<2>& to) {
+  const auto& [content, layout, canvas] = layer;
+  const auto add = [&](const Vector<2>& begin, const Vector<2>& end) {
+    canvas.line(Role::wall, begin, end, canvas.width(5.0), content.theme.wall_edge);
+  };
+  constexpr double apart = 10.0;
+  const auto tools = layout.tools_box();
+  ScreenPiece behind{from, to, 0.0};
+  if (!tools || !clip(tools->grown(canvas.points(apart)), behind)) return add(from, to);
+  add(from, behind.from);
+  add(behind.to, to);
+}
+
+}  // namespace
+
+StageEdge add_half_plane(const StageLayer& layer, const Wall<2>& wall) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
-  const Wall<2> wall = wall_of(content.settings);
   canvas.marks.push_back({Role::wall, {}, HalfPlane{wall.point, wall.normal, theme.wall}});
   // Quiet lines beside the edge, as many as reach the farthest corner.
-  const Vector<2> normal = normal_on_screen(content);
+  const Vector<2> normal = to_screen_direction(wall.normal);
   const Vector<2> along{-normal.y, normal.x};
   const Vector<2> middle = 0.5 * layout.size;
   const double reach = 0.5 * glm::length(layout.size);
@@ -120,16 +149,31 @@ void add_stage_wall(const StageLayer& layer) {
     const Vector<2> foot = edge - normal * (i * spacing);
     canvas.line(Role::hatching, foot - along * reach, foot + along * reach, canvas.points(2.5), quiet);
   }
-  canvas.line(Role::wall, edge - along * reach, edge + along * reach, canvas.width(5.0), theme.wall_edge);
-  canvas.labels.keep_clear(edge - along * reach, edge + along * reach, canvas.width(2.5), Clearance::if_possible);
+  return {edge - along * reach, edge + along * reach};
+}
+
+void add_wall_grips(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
   if (!content.may_turn_wall) return;
-  if (const auto grips = stage_grips(content.settings, content.moment, canvas.camera, layout).wall) {
+  if (const auto grips = stage_grips(content.settings, content.moment, canvas.camera, layout, content.held_end).wall) {
     add_knobs(layer, *grips, StageGrip::wall);
   }
 }
 
+void add_stage_wall(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (content.settings.general.constraint != ConstraintKind::plane) return add_shaped_wall(layer);
+  const auto [from, to] = add_half_plane(layer, wall_of(content.settings));
+  add_wall_edge(layer, from, to);
+  canvas.labels.keep_clear(from, to, canvas.width(2.5), Clearance::if_possible);
+  add_wall_grips(layer);
+}
+
 void add_rail(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  const MotorReach motors = motor_reach(content.settings, content.moment.handle);
+  if (motors.only_pulls) add_pulls(layer, motors);
+  if (motors.only_pulls || motors.count == 0) return;
   const Theme& theme = content.theme;
   const double fullness = fullness_of(content.moment);
   const Colour rail = mix(theme.wall, theme.wall_edge, 0.14);
@@ -144,14 +188,18 @@ void add_rail(const StageLayer& layer) {
     canvas.labels.keep_clear(piece[0] - along * canvas.points(14.0), piece[1] + along * canvas.points(14.0),
                              canvas.points(7.0), Clearance::if_possible);
   };
-  const std::array<Vector<2>, 2> rail_piece = rail_ends(content.settings, content.moment, canvas.camera, layout);
-  add(rail_piece);
-  if (content.may_turn_motor) add_knobs(layer, rail_piece, StageGrip::motor);
+  add(rail_ends(content.settings, content.moment, canvas.camera, layout, content.held_end));
   if (fullness <= 0.0) return;
-  const Vector<2> along = motor_on_screen(content);
-  const Vector<2> across = Vector<2>(-along.y, along.x) * canvas.points(short_rail * fullness);
+  const Vector<2> across = to_screen_direction(motors.missing) * canvas.points(short_rail * fullness);
   const Vector<2> middle = canvas.at(content.moment.handle);
   add({middle - across, middle + across});
+}
+
+void add_rail_grips(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  if (!content.may_turn_motor) return;
+  add_knobs(layer, rail_ends(content.settings, content.moment, canvas.camera, layout, content.held_end),
+            StageGrip::motor);
 }
 
 void add_expectations(const StageLayer& layer) {
@@ -189,9 +237,9 @@ void add_stage_hand(const StageLayer& layer) {
   const StageMoment& moment = content.moment;
   const Vector<2> goal = canvas.at(moment.goal);
   // The arm lies where the hand pulls to; a hand that does not pull yet, into the wall.
-  const Vector<2> pull = goal - canvas.at(moment.handle) - normal_on_screen(content) * canvas.points(25.0);
+  const Vector<2> pull = goal - canvas.at(moment.handle) - normal_on_screen(content, moment.goal) * canvas.points(25.0);
   const double length = glm::length(pull);
-  const Vector<2> arm = length > 0.0 ? pull / length : -normal_on_screen(content);
+  const Vector<2> arm = length > 0.0 ? pull / length : -normal_on_screen(content, moment.goal);
   const Vector<2> across{-arm.y, arm.x};
   const double strength = moment.is_measured ? 0.5 : 1.0;  // of an inferred hand
   const double rim = canvas.width(2.0);
@@ -220,6 +268,12 @@ void add_stage_hand(const StageLayer& layer) {
   canvas.labels.keep_clear(place(8.0, 0.0), place(62.0, 0.0), canvas.points(30.0));
 }
 
+namespace {
+
+constexpr double same_line = 0.999;  // cosine between two forces that are drawn as one arrow
+
+}  // namespace
+
 std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
@@ -233,11 +287,18 @@ std::optional<ForceArrow> force_arrow(const StageLayer& layer) {
   const Vector<2> world = share > 0.0 ? moment.wall_share / share : glm::normalize(moment.ghost_force);
   Vector<2> direction = to_screen_direction(world);
   // The loop may not have seen yet that the motor has been turned.
-  if (fullness_of(moment) == 0.0) {
+  const MotorReach motors = motor_reach(content.settings, moment.handle);
+  if (motors.only_pulls && std::abs(ghost) * per_newton >= canvas.points(1.0)) {
+    const Vector<2> excess = to_screen_direction(glm::normalize(moment.ghost_force));
+    if (std::abs(glm::dot(excess, direction)) < same_line) {
+      return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, std::abs(ghost) * per_newton, excess};
+    }
+  }
+  if (fullness_of(moment) == 0.0 && motors.is_one_line()) {
     const Vector<2> rail = motor_on_screen(content);
     direction = glm::dot(rail, direction) < 0.0 ? -rail : rail;
   }
-  return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, ghost * per_newton};
+  return ForceArrow{canvas.at(moment.handle), direction, share * per_newton, ghost * per_newton, direction};
 }
 
 void add_stage_force(const StageLayer& layer) {
@@ -260,7 +321,11 @@ void add_stage_force(const StageLayer& layer) {
                                   Vector<2>(0.0), has_head, is_hatched}});
   };
   const Vector<2> tip = arrow.tip();
-  if (arrow.ghost >= 0.0) {
+  if (arrow.turns()) {
+    if (arrow.share >= canvas.points(1.0))
+      add(Role::wall_share, arrow.start, arrow.share_end(), dark, dark, true, false);
+    add(Role::ghost_force, arrow.share_end(), tip, theme.background, red, true, true);
+  } else if (arrow.ghost >= 0.0) {
     // One head for both: of the wall's colour without a ghost, and more and more the ghost's as that grows.
     const double length = std::min(std::max(arrow.ghost, with_head), arrow.share + arrow.ghost);
     const double ghostly = std::clamp(arrow.ghost / with_head, 0.0, 1.0);
@@ -277,7 +342,7 @@ void add_stage_force(const StageLayer& layer) {
   }
   canvas.labels.keep_clear(arrow.start, arrow.share_end(), body);
   canvas.labels.keep_clear(arrow.start, tip, body);
-  const Vector<2> to_head = arrow.direction * std::copysign(body, arrow.ghost);
+  const Vector<2> to_head = arrow.ghost_direction * std::copysign(body, arrow.ghost);
   canvas.labels.keep_clear(tip - to_head, tip, 1.3 * body);
 }
 
@@ -285,10 +350,11 @@ std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
   if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
-  const Vector<2> out = normal_on_screen(content);
+  const Vector<2> out = normal_on_screen(content, moment.expected_contact);
   const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
   const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;
   if (glm::distance(from, to) < canvas.points(1.0)) return std::nullopt;
+  if (content.settings.general.constraint == ConstraintKind::circle) return round_ruler(layer, from, out);
   return SlideRuler{from, to, out};
 }
 
@@ -299,10 +365,14 @@ void add_slide(const StageLayer& layer) {
   const double strength = std::min(1.0, glm::distance(ruler->from, ruler->to) / canvas.points(14.0));
   const Colour colour = faded(stage_colour(content.moment, content.theme.strategy), strength);
   const Vector<2> tick = ruler->out * canvas.points(9.0);
-  canvas.line(Role::proxy_drift, ruler->from, ruler->to, canvas.width(3.0), colour);
-  for (const Vector<2>& end : {ruler->from, ruler->to}) {
-    canvas.line(Role::proxy_drift, end - tick, end + tick, canvas.width(3.0), colour);
+  if (ruler->arc.empty()) {
+    canvas.line(Role::proxy_drift, ruler->from, ruler->to, canvas.width(3.0), colour);
+  } else {
+    canvas.curve(Role::proxy_drift, ruler->arc, canvas.width(3.0), colour);
   }
+  const Vector<2> last_tick = ruler->arc.empty() ? tick : ruler->out_at_end * canvas.points(9.0);
+  canvas.line(Role::proxy_drift, ruler->from - tick, ruler->from + tick, canvas.width(3.0), colour);
+  canvas.line(Role::proxy_drift, ruler->to - last_tick, ruler->to + last_tick, canvas.width(3.0), colour);
   canvas.labels.keep_clear(ruler->from, ruler->to, canvas.points(10.0));
 }
 
@@ -343,8 +413,8 @@ void add_handle(const StageLayer& layer) {
 }
 
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                       const StageLayout& layout) {
-  StageGrips grips{rail_ends(settings, moment, camera, layout), {}};
+                       const StageLayout& layout, const std::optional<HeldEnd>& held) {
+  StageGrips grips{rail_ends(settings, moment, camera, layout, held), {}};
   // The wall's edge, cut to the scene.
   const Vector<2> at = to_screen(camera, settings.wall_point);
   const Vector<2> normal = to_screen_direction(direction_at(settings.wall_normal_angle));
@@ -356,15 +426,22 @@ StageGrips stage_grips(const Settings& settings, const StageMoment& moment, cons
   if (!clip(layout.scene().grown(-to_edges * layout.unit), edge)) return grips;
   std::array<Vector<2>, 2> ends{edge.from, edge.to};
   const Vector<2> middle = 0.5 * (edge.from + edge.to);
-  const auto numbers = beside_numbers(layout, to_edges);
+  const auto near_column = beside_column(layout, to_edges);
+  const auto column = beside_column(layout, 0.0);
   for (Vector<2>& end : ends) {
     const Vector<2> way = end - middle;
-    const bool is_near = numbers && contains(*numbers, end);
-    if (is_near) end = middle + glm::normalize(way) * reach_outside(middle, end, numbers);
+    const bool is_near = near_column && contains(*near_column, end);
+    if (is_near) end = middle + glm::normalize(way) * reach_outside(middle, end, near_column);
   }
-  const auto is_covered = [&](const Vector<2>& end) { return layout.numbers && contains(*layout.numbers, end); };
+  const auto is_covered = [&](const Vector<2>& end) { return column && contains(*column, end); };
   const bool is_long = glm::distance(ends[0], ends[1]) > shortest * layout.unit;
-  if (is_long && std::ranges::none_of(ends, is_covered)) grips.wall = ends;
+  if (!is_long || std::ranges::any_of(ends, is_covered)) return grips;
+  for (Vector<2>& end : ends) {
+    const Vector<2> way = end - middle;
+    const double of_held = held && held->grip == StageGrip::wall ? glm::dot(held->pointer - middle, way) : 0.0;
+    if (of_held > 0.0) end = middle + way * std::min(1.0, of_held / glm::dot(way, way));
+  }
+  grips.wall = ends;
   return grips;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/picture/camera.h"
+#include "app/stage/stage_content.h"
 #include "app/stage/stage_places.h"
 #include "app/state/stage_moment.h"
 
@@ -16,7 +17,7 @@ struct StageGrips {
   std::optional<std::array<Vector<2>, 2>> wall;
 };
 StageGrips stage_grips(const Settings& settings, const StageMoment& moment, const Camera& camera,
-                       const StageLayout& layout);
+                       const StageLayout& layout, const std::optional<HeldEnd>& held);
 inline constexpr double stage_grip_reach = 22.0;  // of the pointer round one [points of the design]
 
 }  // namespace ghostforce

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -9,9 +10,13 @@
 #include <glm/geometric.hpp>
 
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
+
+// Less is not worth the word "drags" [N].
+constexpr double least_dragging_force = 0.05;
 
 // What the sentences are chosen by.
 struct Facts {
@@ -22,6 +27,24 @@ struct Facts {
   double ghost_at_rest;  // that the active strategy comes to under this goal [N]
   double motor_along;    // cosine between the wall's normal and the motor
 
+  // Of a general scene's device, while naïve rendering drags its handle.
+  bool has_ghost_of(MechanismKind kind) const {
+    return settings.general.mechanism == kind && is(StrategyId::naive) && ghost >= least_dragging_force;
+  }
+  bool has_motor_at_elbow() const { return settings.general.arm.motor == TwoLinkArm::Motor::elbow; }
+  bool has_slack_string() const {
+    if (settings.general.mechanism != MechanismKind::strings || !moment.in_contact) return false;
+    const Efforts efforts = efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force);
+    const auto end = efforts.begin() + settings.general.strings.count;
+    return std::any_of(efforts.begin(), end, [](double effort) { return effort < least_tension; });
+  }
+  // Naïve rendering presses into a wall that would not be touched.
+  bool is_dragged_into_corner() const {
+    if (settings.general.constraint != ConstraintKind::corner || !is(StrategyId::naive)) return false;
+    const auto full = rest_of(StrategyId::full, settings, moment.goal);
+    const auto walls = [&](const Vector<2>& proxy) { return std::popcount(acting_walls(settings, proxy, true)); };
+    return full && full->at.in_contact && walls(moment.proxy) > walls(full->at.proxy);
+  }
   bool is(StrategyId id) const { return moment.weights[index_of(id)] == 1.0; }
   // On the way between the two strategies with one motor, or about to leave.
   bool is_on_the_way() const {
@@ -64,12 +87,22 @@ constexpr std::array sentences{
     Sentence{&Sentences::push, [](const Facts& now) { return now.moment.is_measured && !now.moment.in_contact; }},
     Sentence{&Sentences::aimed_with_ghost, [](const Facts& now) { return now.moment.is_measured && now.has_ghost(); }},
     Sentence{&Sentences::aimed_without_ghost, [](const Facts& now) { return now.moment.is_measured; }},
+    Sentence{&Sentences::no_rest,
+             [](const Facts& now) {
+               return !now.moment.has_rest && now.is(StrategyId::naive) &&
+                      motor_reach(now.settings, now.moment.goal).count > 0;
+             }},
+    Sentence{&Sentences::out_of_reach, [](const Facts& now) { return now.moment.is_outside; }},
     Sentence{&Sentences::drag_into_wall,
              [](const Facts& now) {
                return !now.moment.in_contact && now.audience.can_drag && !now.audience.looks_back &&
-                      depth(wall_of(now.settings), now.moment.goal) <= 0.0;
+                      depth_in_wall(now.settings, now.moment.goal) <= 0.0;
              }},
     Sentence{&Sentences::in_front_of_wall, [](const Facts& now) { return !now.moment.in_contact; }},
+    Sentence{&Sentences::every_motor,
+             [](const Facts& now) {
+               return now.is(StrategyId::full) && now.settings.general.mechanism == MechanismKind::strings;
+             }},
     Sentence{&Sentences::two_motors, [](const Facts& now) { return now.is(StrategyId::full); }},
     Sentence{&Sentences::one_becomes_two,
              [](const Facts& now) {
@@ -86,10 +119,19 @@ constexpr std::array sentences{
     Sentence{&Sentences::on_way_to_naive, [](const Facts& now) { return now.is_on_the_way() && now.has_ghost(); }},
     Sentence{&Sentences::on_way_without_ghost, [](const Facts& now) { return now.is_on_the_way(); }},
     // Naïve.
+    Sentence{&Sentences::dragged_into_corner,
+             [](const Facts& now) { return now.has_ghost() && now.is_dragged_into_corner(); }},
+    Sentence{&Sentences::arm_pushes_by_elbow,
+             [](const Facts& now) { return now.has_ghost_of(MechanismKind::arm) && now.has_motor_at_elbow(); }},
+    Sentence{&Sentences::arm_pushes_by_base, [](const Facts& now) { return now.has_ghost_of(MechanismKind::arm); }},
+    Sentence{&Sentences::pantograph_throws,
+             [](const Facts& now) { return now.has_ghost_of(MechanismKind::pantograph); }},
+    Sentence{&Sentences::string_is_slack,
+             [](const Facts& now) { return now.is(StrategyId::naive) && now.has_slack_string(); }},
     Sentence{&Sentences::naive_ghost,
-             [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_shown_force; }},
+             [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_dragging_force; }},
     Sentence{&Sentences::naive_too_little,
-             [](const Facts& now) { return now.is(StrategyId::naive) && now.has_ghost(); }},
+             [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost <= -least_shown_force; }},
     Sentence{&Sentences::straight_at_wall,
              [](const Facts& now) { return now.is(StrategyId::naive) && std::abs(now.motor_along) > 0.9998; }},
     Sentence{&Sentences::press_deeper, [](const Facts& now) { return now.is(StrategyId::naive); }},
@@ -118,14 +160,18 @@ std::string three_digits(double size) {
 
 }  // namespace
 
-std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
-                                const StageLanguage& language) {
-  const double motor_along = glm::dot(direction_at(settings.wall_normal_angle), direction_at(settings.actuated_angle));
+std::string stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
+                           const StageLanguage& language) {
+  const MotorReach motors = motor_reach(settings, moment.handle);
+  constexpr double neither = 0.5;  // along the wall, nor straight at it
+  const double motor_along = motors.only_pulls || motors.count == 0
+                                 ? neither
+                                 : glm::dot(wall_near(settings, moment.expected_contact).normal, motors.directions[0]);
   const double at_rest = signed_ghost_force(stage_moment_at_rest(settings, moment.goal));
   const Facts now{settings, moment, audience, signed_ghost_force(moment), at_rest, motor_along};
   const auto* const found =
       std::ranges::find_if(sentences, [&](const Sentence& sentence) { return sentence.is_true(now); });
-  return language.sentences.*found->words;
+  return filled(language.sentences.*found->words, slide_number(glm::length(moment.slide)));
 }
 
 StageNumbers stage_numbers(const StageMoment& moment) noexcept {
@@ -153,6 +199,16 @@ std::string motor_direction_words(double actuated_angle, const StageLanguage& la
   if (std::abs(degrees) < 0.5) return std::string(language.labels.left_and_right);
   if (std::abs(degrees) > 89.5) return std::string(language.labels.up_and_down);
   return filled(language.labels.at_angle, fmt::format("{:.0f}", degrees < 0.0 ? degrees + 180.0 : degrees));
+}
+
+std::string force_direction_words(const Vector<2>& force, const StageLanguage& language) {
+  const StageLanguage::Directions& all = language.directions;
+  const double degrees = std::atan2(force.y, force.x) * degrees_per_radian;
+  constexpr double near = 0.5;
+  if (std::abs(degrees) < near) return std::string(all.right);
+  if (std::abs(degrees) > 180.0 - near) return std::string(all.left);
+  if (std::abs(std::abs(degrees) - 90.0) < near) return std::string(degrees > 0.0 ? all.up : all.down);
+  return filled(language.labels.at_angle, fmt::format("{:.0f}", degrees < 0.0 ? degrees + 360.0 : degrees));
 }
 
 }  // namespace ghostforce

@@ -14,13 +14,14 @@ namespace ghostforce {
 // Who the words are for.
 struct StageAudience {
   bool can_drag = true;                      // the hand follows the pointer
+  bool sees_show = false;                    // the stage shows the slide by itself
   bool looks_back = false;                   // an earlier moment is shown
   bool feels_tones = false;                  // they sound in the motor, to measure the hand
   StrategyId heads_for = StrategyId::naive;  // of a moment between two strategies
 };
 
-std::string_view stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
-                                const StageLanguage& language);
+std::string stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
+                           const StageLanguage& language);
 
 // What is smaller is shown as nothing, and called so.
 inline constexpr double least_shown_force = 0.005;    // [N]
@@ -41,5 +42,7 @@ std::string slide_number(double metres);
 
 // "left and right", "up and down", or "at 30°".
 std::string motor_direction_words(double actuated_angle, const StageLanguage& language);
+// "upwards".
+std::string force_direction_words(const Vector<2>& force, const StageLanguage& language);
 
 }  // namespace ghostforce

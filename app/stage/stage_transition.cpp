@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 
 #include "core/ghost_force.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -27,6 +28,43 @@ struct Fields {
 
 Fields fields_of(const StrategySnapshot<2>& now) noexcept {
   return {now.device, now.proxy, now.ghost_force, now.proxy_drift};
+}
+
+Fields fields_of(const PredictedEquilibrium& rest) noexcept {
+  return {rest.at.device, rest.at.proxy, rest.ghost_force, rest.proxy_drift};
+}
+
+// At rest with this share of the compliance. Empty: nowhere.
+std::optional<PredictedEquilibrium> rest_with_share(const Settings& settings, const Vector<2>& goal, double cure) {
+  Settings between = settings;
+  between.general.compliance_share *= cure;
+  return rest_of(StrategyId::anisotropic, between, goal);
+}
+
+// Another wall holds, or another string is slack: between the two nothing is smooth.
+bool is_of_one_piece(const Settings& settings, const PredictedEquilibrium& one, const PredictedEquilibrium& other) {
+  const auto walls = [&](const Equilibrium<2>& at) { return acting_walls(settings, at.proxy, at.in_contact); };
+  const auto tight = [&](const Equilibrium<2>& at) {
+    unsigned strings = 0;
+    const Efforts efforts = efforts_of(settings, at.device, at.force);
+    for (std::size_t i = 0; i < most_motors; ++i) strings |= (efforts[i] > least_tension ? 1U : 0U) << i;
+    return strings;
+  };
+  const bool has_strings = settings.general.mechanism == MechanismKind::strings;
+  return walls(one.at) == walls(other.at) && (!has_strings || tight(one.at) == tight(other.at));
+}
+
+// Of a general scene: what both are, in shares, beside the smooth way from one rest to the other, where there is one.
+Fields general_between(const Settings& settings, const Vector<2>& goal, const Fields& naive, const Fields& cured,
+                       double cure) {
+  const Fields straight = naive * (1.0 - cure) + cured * cure;
+  const auto from = rest_with_share(settings, goal, 0.0);
+  const auto to = rest_with_share(settings, goal, 1.0);
+  const auto rest = rest_with_share(settings, goal, cure);
+  if (!from || !to || !rest || !is_of_one_piece(settings, *from, *to) || !is_of_one_piece(settings, *from, *rest)) {
+    return straight;
+  }
+  return straight + fields_of(*rest) - fields_of(*from) * (1.0 - cure) - fields_of(*to) * cure;
 }
 
 // At rest with this ratio.
@@ -54,10 +92,16 @@ StageMoment stage_moment_between(const Settings& settings, const Snapshot& snaps
   if (moment.is_measured || blend == stage_blend_of(settings.active)) return moment;
 
   const auto of = [&](StrategyId id) -> const StrategySnapshot<2>& { return snapshot.strategies[index_of(id)]; };
-  const auto rest = [&](double cure) { return rest_at(settings, snapshot.goal, tracking_ratio_at(settings, cure)); };
-  const Fields naive_residual = fields_of(of(StrategyId::naive)) - rest(0.0);
-  const Fields anisotropic_residual = fields_of(of(StrategyId::anisotropic)) - rest(1.0);
-  const Fields one_motor = rest(blend.cure) + naive_residual * (1.0 - blend.cure) + anisotropic_residual * blend.cure;
+  const Fields naive = fields_of(of(StrategyId::naive));
+  const Fields cured = fields_of(of(StrategyId::anisotropic));
+  const auto paper_between = [&] {
+    const auto rest = [&](double cure) { return rest_at(settings, snapshot.goal, tracking_ratio_at(settings, cure)); };
+    const Fields naive_residual = naive - rest(0.0);
+    const Fields anisotropic_residual = cured - rest(1.0);
+    return rest(blend.cure) + naive_residual * (1.0 - blend.cure) + anisotropic_residual * blend.cure;
+  };
+  const Fields one_motor =
+      is_general(settings) ? general_between(settings, snapshot.goal, naive, cured, blend.cure) : paper_between();
   const StrategySnapshot<2>& full = of(StrategyId::full);
   const Fields shown = one_motor * (1.0 - blend.fullness) + fields_of(full) * blend.fullness;
 
@@ -70,9 +114,12 @@ StageMoment stage_moment_between(const Settings& settings, const Snapshot& snaps
   moment.ghost_force = shown.ghost_force;
   moment.slide = shown.slide;
   const Vector<2> full_force = full.in_contact ? full.force : Vector<2>(0.0);
-  moment.wall_share = glm::mix(actuation_of(settings).actuated * full_force, full_force, blend.fullness);
-  moment.expected_rest = glm::mix(equilibrium_without_ghost(settings, goal).device,
-                                  equilibrium_of(StrategyId::full, settings, goal).device, blend.fullness);
+  moment.wall_share = glm::mix(motor_share(settings, shown.handle, full_force), full_force, blend.fullness);
+  const auto cured_rest = rest_without_ghost(settings, goal);
+  const auto full_rest = rest_of(StrategyId::full, settings, goal);
+  if (cured_rest && full_rest) {
+    moment.expected_rest = glm::mix(cured_rest->device, full_rest->at.device, blend.fullness);
+  }
   return moment;
 }
 

@@ -87,8 +87,8 @@ void add_handle_words(const StageLayer& layer) {
                stage_colour(content.moment, content.theme.strategy_text));
 }
 
-Vector<2> into_the_wall(const StageContent& content) {
-  return -to_screen_direction(direction_at(content.settings.wall_normal_angle));
+Vector<2> into_the_wall(const StageContent& content, const Vector<2>& place) {
+  return -to_screen_direction(wall_near(content.settings, place).normal);
 }
 
 void add_expectation_words(const StageLayer& layer) {
@@ -102,7 +102,7 @@ void add_expectation_words(const StageLayer& layer) {
                   canvas.at(moment.expected_contact),
                   canvas.at(moment.expected_contact),
                   canvas.points(7.0),
-                  into_the_wall(content)},
+                  into_the_wall(content, moment.expected_contact)},
                  content.theme.text);
   }
   if (!moment.in_contact || moment.is_measured) return;
@@ -128,7 +128,7 @@ void add_expectation_words(const StageLayer& layer) {
                   foot,
                   foot,
                   canvas.points(7.0),
-                  into_the_wall(content) + Vector<2>(0.6, -0.6)},
+                  into_the_wall(content, moment.expected_contact) + Vector<2>(0.6, -0.6)},
                  content.theme.faint_text);
   }
 }
@@ -138,17 +138,22 @@ void add_wall_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const std::string words(content.language.labels.virtual_wall);
   const Vector<2> extent = content.measure(words, layout.letters.words);
-  const Vector<2> inwards = into_the_wall(content);
-  const Vector<2> edge = canvas.at(wall_of(content.settings).point);
   const ScreenBox room = layout.room().grown(-canvas.points(26.0));
   const double top = layout.top + canvas.points(16.0);
   const std::array corners{Vector<2>(room.most.x - extent.x, top), room.most - extent,
                            Vector<2>(room.least.x, room.most.y - extent.y), Vector<2>(room.least.x, top)};
+  const auto wall_at = [&](const Vector<2>& corner) {
+    return wall_near(content.settings, to_world(canvas.camera, corner + 0.5 * extent));
+  };
   const auto is_deep = [&](const Vector<2>& corner) {
-    return glm::dot(corner + 0.5 * extent - edge, inwards) > 0.5 * extent.x + canvas.points(30.0);
+    const Wall<2> wall = wall_at(corner);
+    const Vector<2> inwards = -to_screen_direction(wall.normal);
+    return glm::dot(corner + 0.5 * extent - canvas.at(wall.point), inwards) > 0.5 * extent.x + canvas.points(30.0);
   };
   const auto* const corner = std::ranges::find_if(corners, is_deep);
   if (corner == corners.end()) return;
+  const Vector<2> edge = canvas.at(wall_at(*corner).point);
+  const Vector<2> inwards = -to_screen_direction(wall_at(*corner).normal);
   const LabelBlock block{.id = StageLabel::wall,
                          .extent = extent,
                          .region = layout.room(),
@@ -166,12 +171,34 @@ std::string with_number(const StageContent& content, std::string_view words, con
   return content.hides.numbers ? std::string(words) : fmt::format("{} {} {}", words, number, unit);
 }
 
+namespace {
+
+// Above the hand and with it, whatever lies there: who passes by sees a moving hand for a moment only.
+void add_show_words(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
+  const std::string words(content.language.labels.hand_shown);
+  const TextStyle& style = layout.letters.bold_words;
+  const Vector<2> extent = content.measure(words, style);
+  constexpr double above_hand = 40.0;
+  const Vector<2> wanted =
+      canvas.at(content.moment.goal) - Vector<2>(0.5 * extent.x, canvas.points(above_hand) + extent.y);
+  const ScreenBox room = layout.room();
+  const Vector<2> corner = glm::clamp(wanted, room.least, glm::max(room.least, room.most - extent));
+  const ScreenBox box{corner, corner + extent};
+  if (canvas.labels.obstacles().is_crossed(box, Clearance::always)) add_plate(layer, Role::hint, box, under_sentences);
+  canvas.labels.keep_clear(box);
+  canvas.text(Role::hint, corner, words, style, content.theme.accent);
+}
+
+}  // namespace
+
 void add_hand_words(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
+  if (content.audience.sees_show) return add_show_words(layer);
   const bool is_asked_to_drag = content.hint == StageHint::drag;
   const StageLanguage::Labels& all = content.language.labels;
   // Lessons ask for a depth.
-  const double deep = depth(wall_of(content.settings), content.moment.goal);
+  const double deep = depth_in_wall(content.settings, content.moment.goal);
   const std::string words = content.moment.is_measured                    ? std::string(all.hand_inferred)
                             : is_asked_to_drag                            ? std::string(all.hand_to_drag)
                             : content.lesson && deep >= least_shown_slide ? filled(all.hand_in_wall, slide_number(deep))
@@ -197,13 +224,21 @@ void add_motor_words(const StageLayer& layer) {
   // Whoever feels tones must not take them for the wall. The mode that measures says so by itself.
   const bool trembles = content.audience.feels_tones && !content.measuring;
   const bool is_asked_to_turn = content.hint == StageHint::motor && !trembles;
-  const std::string words =
-      trembles ? std::string(all.motor_measures)
-      : is_asked_to_turn
-          ? std::string(all.motor_to_turn)
-          : filled(all.motor_pushes, motor_direction_words(content.settings.actuated_angle, content.language));
-  const auto ends = stage_grips(content.settings, content.moment, canvas.camera, layout).motor;
-  const Vector<2> rail = to_screen_direction(direction_at(content.settings.actuated_angle));
+  const MotorReach motors = motor_reach(content.settings, content.moment.handle);
+  if (motors.count == 0) return;
+  const Vector<2>& along = motors.directions[0];
+  const double angle = content.settings.general.mechanism == MechanismKind::axes ? content.settings.actuated_angle
+                                                                                 : std::atan2(along.y, along.x);
+  const std::string words = trembles           ? std::string(all.motor_measures)
+                            : is_asked_to_turn ? std::string(all.motor_to_turn)
+                            : motors.only_pulls
+                                ? std::string(all.strings_pull)
+                                : filled(all.motor_pushes, motor_direction_words(angle, content.language));
+  const auto ends =
+      motors.only_pulls
+          ? std::array{canvas.at(content.moment.handle), canvas.at(content.settings.general.strings.anchors[0])}
+          : stage_grips(content.settings, content.moment, canvas.camera, layout, content.held_end).motor;
+  const Vector<2> rail = to_screen_direction(along);
   canvas.label(Role::motor_axis,
                {is_asked_to_turn ? StageLabel::hint : StageLabel::motor,
                 {words},

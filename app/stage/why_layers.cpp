@@ -1,9 +1,14 @@
 // Why?: the triangle of forces builds itself where the handle should rest: the wall's push, what one motor can give of
 // it, what nobody gives, and the excess that follows.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
 #include <glm/geometric.hpp>
 
 #include "app/stage/stage_layers.h"
-#include "core/prediction.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -13,15 +18,25 @@ struct ForceTriangle {
   Vector<2> push{0.0};     // of the wall, straight out [N]
   Vector<2> share{0.0};    // of it, along the motor [N]
   Vector<2> ghost{0.0};    // beyond that [N]
+  Vector<2> handle{0.0};   // where they are drawn [m]
+  Vector<2> full{0.0};     // where every motor would let it rest [m]
+  bool has_rest = true;    // else there is nothing to tell of it
   bool is_pushed = false;  // by so much that there is something to explain
 };
 
 ForceTriangle triangle_of(const StageContent& content) {
-  const auto equilibria = predicted_equilibria(content.settings, content.moment.goal);
-  const PredictedEquilibrium& full = equilibria[index_of(StrategyId::full)];
-  const PredictedEquilibrium& active = equilibria[index_of(content.settings.active)];
-  const bool is_pushed = full.at.in_contact && glm::length(full.at.force) >= least_shown_force;
-  return {full.at.force, active.at.force - active.ghost_force, active.ghost_force, is_pushed};
+  const auto full = rest_of(StrategyId::full, content.settings, content.moment.goal);
+  const auto active = rest_of(content.settings.active, content.settings, content.moment.goal);
+  if (!full || !active) return {.has_rest = false};
+  const bool is_pushed = full->at.in_contact && glm::length(full->at.force) >= least_shown_force;
+  // A motor that turns with its device gives its share where the handle is then.
+  const bool turns = content.settings.general.mechanism != MechanismKind::axes;
+  return {.push = full->at.force,
+          .share = active->at.force - active->ghost_force,
+          .ghost = active->ghost_force,
+          .handle = turns ? active->at.device : full->at.device,
+          .full = full->at.device,
+          .is_pushed = is_pushed};
 }
 
 // What the sentence, and the third and the fourth step say. With every motor there is only the first step.
@@ -51,6 +66,28 @@ WhyWords words_for(StrategyId id, const ForceTriangle& forces, const StageLangua
   return {sentences.why_ghost, steps.missing, steps.excess};
 }
 
+// With every motor there is only the first.
+int last_step(const StageContent& content) {
+  return content.settings.active == StrategyId::full ? std::min(content.why_step, 1) : content.why_step;
+}
+
+// "upwards (2.12 N)".
+std::string force_words(const StageContent& content, const Vector<2>& force) {
+  const std::string direction = force_direction_words(force, content.language);
+  return content.hides.numbers ? direction : fmt::format("{} ({} N)", direction, force_number(glm::length(force)));
+}
+
+std::vector<std::string> words_of_steps(const StageContent& content, const ForceTriangle& forces) {
+  const WhyWords words = words_for(content.settings.active, forces, content.language);
+  const StageLanguage::Why& steps = content.language.why;
+  const double ghost = glm::length(forces.ghost);
+  return {with_number(content, steps.push, force_number(glm::length(forces.push)), "N"),
+          with_number(content, steps.share, force_number(glm::length(forces.share)), "N"),
+          words.missing.empty() ? "" : filled(words.missing, force_words(content, forces.push - forces.share)),
+          ghost < least_shown_force ? std::string(words.excess)
+                                    : with_number(content, words.excess, force_number(ghost), "N")};
+}
+
 void add_why(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   add_stage_wall(layer);
@@ -63,11 +100,12 @@ void add_why(const StageLayer& layer) {
   const Theme& theme = content.theme;
   StageContent corner = content;
   corner.moment = stage_moment_at_rest(content.settings, content.moment.goal);
-  corner.moment.handle = equilibrium_of(StrategyId::full, content.settings, content.moment.goal).device;
+  corner.moment.handle = forces.handle;
   const StrategyId id = content.settings.active;
-  const WhyWords words = words_for(id, forces, content.language);
+  const std::vector<std::string> words = words_of_steps(content, forces);
   const StageLayer at_corner{corner, layout, canvas};
   add_rail(at_corner);
+  add_mechanism(at_corner);
 
   // As long as the picture has room for.
   const double longest = std::max(glm::length(forces.push), glm::length(forces.share + forces.ghost));
@@ -89,9 +127,15 @@ void add_why(const StageLayer& layer) {
                                   canvas.width(2.5), Vector<2>(0.0), true, is_hatched}});
     canvas.labels.keep_clear(from, to, 1.3 * body);
   };
-  const int step = id == StrategyId::full ? std::min(content.why_step, 1) : content.why_step;
+  const int step = last_step(content);
   if (step >= 1) add_arrow(Role::force, start, push_end, dark, dark, false);
   if (step >= 2) add_arrow(Role::wall_share, start, share_end, dark, dark, false);
+  if (step >= 3 && glm::distance(forces.full, forces.handle) > 0.0) {
+    const Vector<2> full = canvas.at(forces.full);
+    canvas.line(Role::expected_rest, full, start, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
+    canvas.ring(Role::expected_rest, full, canvas.points(handle_radius), canvas.width(2.5), theme.faint_text);
+    canvas.labels.keep_clear(full, full, canvas.points(handle_radius));
+  }
   if (step >= 3) {
     canvas.line(Role::force, push_end, share_end, canvas.width(3.5), theme.faint_text, {3.0, 8.0, 3.0, 8.0});
     canvas.labels.keep_clear(push_end, share_end, canvas.width(2.0));
@@ -102,41 +146,54 @@ void add_why(const StageLayer& layer) {
                                  theme.strategy[index_of(id)], theme.background, canvas.width(4.0)}});
   canvas.labels.keep_clear(start, start, canvas.points(1.4 * handle_radius));
 
-  const Vector<2> out = to_screen_direction(direction_at(content.settings.wall_normal_angle));
+  const Vector<2> out = to_screen_direction(wall_near(content.settings, content.moment.goal).normal);
   const Vector<2> along = glm::length(forces.share) > 0.0 ? glm::normalize(drawn(forces.share)) : out;
   const Vector<2> missing = push_end - share_end;
-  const auto say = [&](int from_step, StageLabel::Id id, Role role, const std::string& said, const Vector<2>& anchor,
-                       const Vector<2>& side, Colour colour, bool is_bold) {
+  // Links, strings and their rail leave less room than words need.
+  const bool is_narrow = is_general(content.settings);
+  const auto say = [&](int from_step, StageLabel::Id id, Role role, const StageEdge& thing, const Vector<2>& side,
+                       Colour colour, bool is_bold) {
     if (step < from_step) return;
+    const Vector<2> middle = 0.5 * (thing.from + thing.to);
+    const std::string& said = words[static_cast<std::size_t>(from_step - 1)];
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;
     canvas.label(role,
-                 {id, broken_into_lines(said, 0.5 * layout.size.x, style, content.measure), style, anchor, anchor,
-                  canvas.points(14.0), side},
+                 {.id = id,
+                  .lines = broken_into_lines(said, (is_narrow ? 0.34 : 0.5) * layout.size.x, style, content.measure),
+                  .style = style,
+                  .from = is_narrow ? thing.from : middle,
+                  .to = is_narrow ? thing.to : middle,
+                  .clearance = canvas.points(14.0),
+                  .direction = side,
+                  .may_cover = is_narrow},
                  colour);
   };
-  const double ghost = glm::length(forces.ghost);
-  const std::string excess = ghost < least_shown_force ? std::string(words.excess)
-                                                       : with_number(content, words.excess, force_number(ghost), "N");
-  say(1, StageLabel::hand, Role::force,
-      with_number(content, content.language.why.push, force_number(glm::length(forces.push)), "N"), push_end, out,
-      theme.text, false);
-  say(2, StageLabel::wall_share, Role::wall_share,
-      with_number(content, content.language.why.share, force_number(glm::length(forces.share)), "N"),
-      0.5 * (start + share_end), -missing, theme.text, false);
-  say(3, StageLabel::expected_contact, Role::force, std::string(words.missing), 0.5 * (push_end + share_end), along,
-      theme.faint_text, false);
-  say(4, StageLabel::ghost, Role::ghost_force, excess, 0.5 * (share_end + ghost_end),
-      along - 0.5 * missing / std::max(1.0, glm::length(missing)), theme.strategy_text[index_of(StrategyId::naive)],
-      true);
+  say(1, StageLabel::hand, Role::force, {push_end, push_end}, out, theme.text, false);
+  say(2, StageLabel::wall_share, Role::wall_share, {start, share_end}, -missing, theme.text, false);
+  say(3, StageLabel::expected_contact, Role::force, {push_end, share_end}, along, theme.faint_text, false);
+  // Red is the ghost force's colour: without one there is nothing wrong.
+  const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
+  say(4, StageLabel::ghost, Role::ghost_force, {share_end, ghost_end},
+      along - 0.5 * missing / std::max(1.0, glm::length(missing)),
+      has_ghost ? theme.strategy_text[index_of(StrategyId::naive)] : theme.text, true);
 }
 
 std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
+  if (!forces.has_rest) return std::string(content.language.sentences.no_rest);
   if (!forces.is_pushed) return std::string(content.language.sentences.why_needs_wall);
   return std::string(words_for(content.settings.active, forces, content.language).sentence);
 }
 
 }  // namespace
+
+std::vector<std::string> why_steps(const StageContent& content) {
+  const ForceTriangle forces = triangle_of(content);
+  if (!forces.is_pushed) return {};
+  std::vector<std::string> steps = words_of_steps(content, forces);
+  steps.resize(std::min(steps.size(), static_cast<std::size_t>(std::max(last_step(content), 0))));
+  return steps;
+}
 
 const StageModeLayers why_layers{StageMode::why, add_why, why_sentence};
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/state/landscape.h"
+#include "app/state/scene_parts.h"
 #include "app/state/session.h"
 
 namespace ghostforce {
@@ -47,6 +48,13 @@ struct TurnMotorBy {
   int degrees = 0;
 };
 struct TurnWallToLargestDrift {};
+// Of a scene with more than one straight wall and one straight motor.
+struct MovePart {
+  ScenePart part = ScenePart::left_base;
+  Vector<2> to{0.0};  // [m]
+};
+// To the other joint that may have it.
+struct SwitchMotor {};
 struct TurnRatio {
   double factor = 1.0;  // 1.05 for 5 % more
 };
@@ -176,6 +184,9 @@ struct Change {
 using ChangeSpeed = Change<&Session::speed>;
 using ChangeViewOptions = Change<&Session::options>;
 using ChangeAppearance = Change<&Session::appearance>;
+using ChangeMotion = Change<&Session::motion>;
+// Not by a control, but by the system's own setting.
+using FollowSystemMotion = Change<&Session::system_reduces_motion>;
 using ChangePlots = Change<&Session::plots>;
 using ChangeSafety = Change<&Session::safety>;
 using ChangeSpaceMouse = Change<&Session::spacemouse>;
@@ -280,29 +291,42 @@ using Effect = std::variant<Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, 
                             ShowLink, StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
-using Action = std::variant<
+using AnyAction = std::variant<
     MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnLandscapeDial,
-    LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, TurnRatio, ChooseStrategy,
-    ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
-    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers, AnswerLesson,
-    LeaveLesson, NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption,
-    FitView, ZoomView, PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog,
-    ChooseInput, ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangePlots, ChangeSafety, ChangeSpaceMouse,
-    ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, HoldControl, ChangeStiffnesses, Believe, StartMeasuring,
-    TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle,
-    FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, ToggleAudience, Undo,
-    Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
-    CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording, ResetPreferences>;
-
-// All others close the stage's menu. Escape does it by itself.
-using LeavesMenuOpen = std::variant<ToggleMenu, Escape, LetGoOfHand, HoldControl, AcknowledgeOff>;
-
-// To whom those who make Actions hand them. UI thread.
-using ActionSink = std::function<void(const Action& action)>;
+    LookBackTo, MoveSliderTo, NudgeSlider, MoveView, TurnMotorBy, TurnWallToLargestDrift, MovePart, SwitchMotor,
+    TurnRatio, ChooseStrategy, ChooseByNumber, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode,
+    MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers,
+    AnswerLesson, LeaveLesson, NextLanguage, ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode,
+    ToggleViewOption, FitView, ZoomView, PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog,
+    ToggleDialog, ChooseInput, ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangeMotion, FollowSystemMotion,
+    ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, HoldControl,
+    ChangeStiffnesses, Believe, StartMeasuring, TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement,
+    BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints,
+    Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture,
+    SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording,
+    ResetPreferences>;
 
 template <typename T, typename Variant>
 inline constexpr bool is_one_of = false;
 template <typename T, typename... Alternatives>
 inline constexpr bool is_one_of<T, std::variant<Alternatives...>> = (std::is_same_v<T, Alternatives> || ...);
+
+// One of them. What copies and ends any of a hundred kinds is compiled once, in action.cpp, instead of in every source.
+struct Action : AnyAction {
+  template <typename Kind>
+  requires is_one_of<std::remove_cvref_t<Kind>, AnyAction> Action(Kind&& kind)
+      : AnyAction(std::in_place_type<std::remove_cvref_t<Kind>>, std::forward<Kind>(kind)) {}
+  Action(const Action& other);
+  Action(Action&& other) noexcept;
+  Action& operator=(const Action& other);
+  Action& operator=(Action&& other) noexcept;
+  ~Action();
+};
+
+// All others close the stage's menu. Escape does it by itself.
+using LeavesMenuOpen = std::variant<ToggleMenu, Escape, LetGoOfHand, HoldControl, AcknowledgeOff, FollowSystemMotion>;
+
+// To whom those who make Actions hand them. UI thread.
+using ActionSink = std::function<void(const Action& action)>;
 
 }  // namespace ghostforce

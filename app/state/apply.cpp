@@ -14,6 +14,7 @@
 #include "app/state/talk.h"
 #include "app/state/user_measurement_guide.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -84,6 +85,14 @@ void act(Session& session, const TurnWallToLargestDrift&) {
   session.settings.wall_normal_angle = angle_of_largest_drift(session.settings);
 }
 
+void act(Session& session, const MovePart& action) {
+  session.settings = with_part_at(session.settings, action.part, action.to);
+}
+
+void act(Session& session, const SwitchMotor&) {
+  session.settings = with_other_motor(session.settings);
+}
+
 void act(Session& session, const TurnRatio& action) {
   turn_ratio(session, action.factor);
 }
@@ -137,6 +146,7 @@ void act(Session& session, const StepOn&) {
 }
 
 void act(Session& session, const Restart& action) {
+  if (session.lesson) return begin_lesson_step_anew(session);
   if (action.with_scene_settings) {
     if (is_measuring(session)) cancel_measurement(session);
     session.settings = session.scene->settings;
@@ -177,7 +187,7 @@ void act(Session& session, const MeasureHand&) {
 void act(Session& session, const GoOn&) {
   if (session.lesson) return confirm_in_lesson(session);
   StageChoice& stage = session.stage;
-  const bool is_in_wall = depth(wall_of(session.settings), session.goal) > 0.0;
+  const bool is_in_wall = depth_in_wall(session.settings, session.goal) > 0.0;
   if (stage.mode == StageMode::predict && is_in_wall) ++stage.reveals_asked;
   if (stage.mode == StageMode::measure) press_stiffness_probe(session);
   if (stage.mode == StageMode::why) stage.why_step = std::min(stage.why_step + 1, last_why_step);
@@ -266,10 +276,9 @@ void act(Session& session, const Escape&) {
   if (closes_more) return;
   if (session.lesson) {
     if (!permit(session, LeaveLesson{})) leave_lesson(session);
-  } else if (session.stage.looks_back_to_s) {
-    go_on_live(session);
-  } else if (session.stage.mode != StageMode::none) {
-    leave_stage_mode(session);
+  } else if (session.stage.looks_back_to_s || session.stage.mode != StageMode::none) {
+    if (session.stage.looks_back_to_s) go_on_live(session);
+    if (session.stage.mode != StageMode::none) leave_stage_mode(session);
   } else {
     session.hint.reset();
   }
@@ -325,8 +334,11 @@ void act(Session& session, const PanView& action) {
   act(session, MoveView{width * action.shares});
 }
 
+// The stage has none, so they are opened where they are.
 void act(Session& session, const TogglePlots&) {
-  session.plots.is_open = !session.plots.is_open;
+  const bool is_on_stage = session.face == Face::stage;
+  if (is_on_stage) act(session, ShowFace{Face::workbench});
+  session.plots.is_open = is_on_stage || !session.plots.is_open;
 }
 
 void act(Session& session, const NextTheme&) {
@@ -433,6 +445,13 @@ void act(Session& session, const HideHints&) {
 }
 
 }  // namespace
+
+bool escape_has_use(const Session& session) {
+  const StageChoice& stage = session.stage;
+  return session.motors_may_push || stage.is_black || stage.shows_menu || session.dialog != Dialog::none ||
+         session.notice || stage.looks_back_to_s || stage.mode != StageMode::none || session.hint ||
+         (session.lesson && !permit(session, LeaveLesson{}));
+}
 
 Effects apply(Session& session, const Action& action) {
   if (const std::optional<Refusal> refusal = permit(session, action)) {

@@ -1,7 +1,6 @@
 #include "app/state/faces_and_modes.h"
 
 #include <algorithm>
-#include <array>
 
 namespace ghostforce {
 namespace {

@@ -28,7 +28,6 @@ struct FrontKeys {
   int move_view_modifiers;  // of the arrows that move the view
 
   // Of what these keys do, where that differs too.
-  std::string_view view_sentence;
   std::string_view pictures;            // the keys that save and copy, in a row
   std::string_view text_size_sentence;  // of the setting
 
@@ -49,7 +48,6 @@ inline constexpr FrontKeys keys_on_desktop{
     .copy_values = {key::c, modifier::control | modifier::shift, "Ctrl+Shift+C"},
     .link = {},
     .move_view_modifiers = modifier::alt,
-    .view_sentence = "Fit all; zoom in (Shift: out); Alt+arrows: move",
     .pictures = "Ctrl+Shift+S, P, C",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.",
     .has_own_window = true};
@@ -67,7 +65,6 @@ inline constexpr FrontKeys keys_in_page{
     .copy_values = {key::v, 0, "V"},
     .link = {key::u, 0, "U"},
     .move_view_modifiers = modifier::shift | modifier::alt,
-    .view_sentence = "Fit all; zoom in (Shift: out); Shift+Alt+arrows: move",
     .pictures = "I, Shift+I, V",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. The browser's own zoom changes it too.",
     .has_own_window = false};

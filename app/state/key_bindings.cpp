@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -52,7 +50,7 @@ bool is_for_field(const KeyPress& press) {
 // What the palette has too; a row for one key is called the same there.
 KeyBinding called(ActionWords words, KeyBinding binding) {
   binding.named = words;
-  if (!binding.shown.empty() && binding.sentence.empty()) binding.sentence = (english_stage.actions.*words).words;
+  if (!binding.shown.empty()) binding.sentence = sentence_in(english_stage, binding);
   return binding;
 }
 
@@ -66,12 +64,18 @@ KeyBinding bound(const FrontKey& at, ActionWords words, const Action& action, bo
                         .also_in_fields = also_in_fields && !types_a_sign(at.key, at.modifiers)});
 }
 
-// The first key of a row that has several; the others follow.
-KeyBinding row_of(std::string_view keys, std::string_view sentence, KeyBinding first, std::string_view group = {}) {
+// What no single action's words say.
+KeyBinding said(KeyRowWords row, KeyBinding binding) {
+  binding.row = row;
+  binding.sentence = sentence_in(english_stage, binding);
+  return binding;
+}
+
+// The first key of a row that has several; the others follow. Without words of its own it is called as its action.
+KeyBinding row_of(std::string_view keys, KeyRowWords row, KeyBinding first, std::string_view group = {}) {
   first.shown = keys;
-  first.sentence = sentence.empty() ? (english_stage.actions.*first.named).words : sentence;
   first.group = group;
-  return first;
+  return said(row, std::move(first));
 }
 
 std::string both(const FrontKey& first, const FrontKey& second) {
@@ -94,19 +98,12 @@ struct Arrow {
 constexpr std::array arrows{Arrow{key::left, -1, 0}, Arrow{key::right, 1, 0}, Arrow{key::up, 0, 1},
                             Arrow{key::down, 0, -1}};
 
-// clang-format off
-constexpr std::array gestures{
-    MouseGesture{"Move and change", "Drag", "Move the goal of your hand"},
-    MouseGesture{"Move and change", "Drag rail or grip", "Turn the motor or the wall by 5° (Ctrl: freely)"},
-    MouseGesture{"View", "Wheel, right drag", "Zoom at the pointer; move the view"},
-    MouseGesture{"Move and change", "Ctrl+click a slider", "Type a number"},
-};
-// clang-format on
-
 }  // namespace
 
 std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
   using Name = StageLanguage::Actions;
+  using Row = StageLanguage::KeyRows;
+  const StageLanguage::KeyGroups& group = english_stage.key_groups;
   std::vector<KeyBinding> bindings;
   for (const auto& [key, x, y] : arrows) {
     bindings.push_back({key, none, "", "", move_hand(x, y, 10), true});
@@ -114,76 +111,75 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     bindings.push_back({key, ctrl, "", "", move_hand(x, y, 100), true});
     bindings.push_back({key, keys.move_view_modifiers, "", "", move_picture(x, y), true});
   }
-  bindings.front() =
-      row_of("Arrows", "Move goal or guess 1 mm (Shift: 0.1, Ctrl: 10)", bindings.front(), "Move and change");
+  bindings.front() = row_of("Arrows", &Row::move, bindings.front(), group.change);
   // clang-format off
   bindings.insert(bindings.end(), {
-    called(&Name::turn_motor_left, {key::left_bracket, none, "[  ]", "Turn the actuated direction 5° (Shift: 1°)", TurnMotorBy{5}, true}),
+    called(&Name::turn_motor_left, said(&Row::turn_motor, {key::left_bracket, none, "[  ]", {}, TurnMotorBy{5}, true})),
     called(&Name::turn_motor_right, {key::right_bracket, none, "", "", TurnMotorBy{-5}, true}),
     KeyBinding{key::left_bracket, shift, "", "", TurnMotorBy{1}, true},
     KeyBinding{key::right_bracket, shift, "", "", TurnMotorBy{-1}, true},
-    called(&Name::lower_ratio, {key::minus, none, "−  +", "Lower or raise the ratio ρ by 5 % (Alt: 1 %)", turn_ratio_by(-50), true}),
+    called(&Name::lower_ratio, said(&Row::turn_ratio, {key::minus, none, "−  +", {}, turn_ratio_by(-50), true})),
     called(&Name::raise_ratio, {key::equal, none, "", "", turn_ratio_by(50), true}),
     KeyBinding{key::minus, alt, "", "", turn_ratio_by(-10), true},
     KeyBinding{key::equal, alt, "", "", turn_ratio_by(10), true},
     KeyBinding{key::equal, alt | shift, "", "", turn_ratio_by(10), true},
 
-    KeyBinding{key::digit_1, none, "1 2 3", "Fully actuated, naïve, anisotropic (Shift: slowly)", ChooseByNumber{StrategyId::full}, false, false, "Strategies"},
+    said(&Row::strategies, {key::digit_1, none, "1 2 3", {}, ChooseByNumber{StrategyId::full}, false, false, group.strategies}),
     KeyBinding{key::digit_2, none, "", "", ChooseByNumber{StrategyId::naive}},
     KeyBinding{key::digit_3, none, "", "", ChooseByNumber{StrategyId::anisotropic}},
     KeyBinding{key::digit_1, shift, "", "", ChooseStrategy{StrategyId::full, true}},
     KeyBinding{key::digit_2, shift, "", "", ChooseStrategy{StrategyId::naive, true}},
     KeyBinding{key::digit_3, shift, "", "", ChooseStrategy{StrategyId::anisotropic, true}},
 
-    called(&Name::pause, {key::space, none, "Space", {}, TogglePause{}, false, false, "Time"}),
-    called(&Name::step_back, {key::comma, none, ", .", "Pause; one tick back or forward, up to a minute", StepBack{}, true}),
+    called(&Name::pause, {key::space, none, "Space", {}, TogglePause{}, false, false, group.time}),
+    called(&Name::step_back, said(&Row::step, {key::comma, none, ", .", {}, StepBack{}, true})),
     called(&Name::step_on, {key::period, none, "", "", StepOn{}, true}),
-    called(&Name::restart, {key::r, none, "R, Alt+R", "Reset the motion (Alt: and all settings)", Restart{}}),
+    called(&Name::restart, said(&Row::reset, {key::r, none, "R, Alt+R", {}, Restart{}})),
     called(&Name::restart_with_settings, {key::r, alt, "", "", Restart{true}}),
 
-    called(&Name::fit_view, {key::f, none, "F, Z", keys.view_sentence, FitView{}, false, false, "View"}),
+    called(&Name::fit_view, said(keys.has_own_window ? &Row::view : &Row::view_in_page, {key::f, none, "F, Z", {}, FitView{}, false, false, group.view})),
     called(&Name::zoom_in, {key::z, none, "", "", ZoomView{1.25}, true}),
     called(&Name::zoom_out, {key::z, shift, "", "", ZoomView{0.8}, true}),
 
-    KeyBinding{key::q, none, "Q Y L", "Predict, Why?, Landscape", ToggleMode{StageMode::predict}, false, false, "Stage"},
+    said(&Row::modes, {key::q, none, "Q Y L", {}, ToggleMode{StageMode::predict}, false, false, group.stage}),
     KeyBinding{key::y, none, "", "", ToggleMode{StageMode::why}},
     KeyBinding{key::l, none, "", "", ToggleMode{StageMode::landscape}},
-    KeyBinding{key::o, none, "O H S", "Round and round, Last minute, Measure the hand", ToggleMode{StageMode::round}},
+    said(&Row::more_modes, {key::o, none, "O H S", {}, ToggleMode{StageMode::round}}),
     KeyBinding{key::h, none, "", "", ToggleMode{StageMode::ribbon}},
     KeyBinding{key::s, none, "", "", MeasureHand{}},
-    KeyBinding{key::enter, none, "Enter", "Next step of a lesson or of Why?; answer a guess", Confirm{}},
-    row_of(keys.lessons.shown, {}, bound(keys.lessons, &Name::lessons, ToggleDialog{Dialog::lessons}, true)),
-    called(&Name::next_step, {key::page_down, none, "PgDn PgUp", "Lesson or talk: next / previous step", NextStep{}}),
+    said(&Row::enter, {key::enter, none, "Enter", {}, Confirm{}}),
+    row_of(keys.lessons.shown, nullptr, bound(keys.lessons, &Name::lessons, ToggleDialog{Dialog::lessons}, true)),
+    called(&Name::next_step, said(&Row::lesson_steps, {key::page_down, none, "PgDn PgUp", {}, NextStep{}})),
     called(&Name::previous_step, {key::page_up, none, "", "", PreviousStep{}}),
-    called(&Name::blank, {key::b, none, "B A", "Blank the stage; hide its numbers", ToggleBlank{}}),
+    called(&Name::blank, said(&Row::blank, {key::b, none, "B A", {}, ToggleBlank{}})),
     called(&Name::numbers, {key::a, none, "", "", ToggleNumbers{}}),
 
-    KeyBinding{key::escape, none, "Esc", "Motors off; then close what is open (never quits)", Escape{}, false, true, "Device"},
-    row_of(keys.device_status.shown, {}, bound(keys.device_status, &Name::device_status, ToggleDialog{Dialog::doctor}, true)),
+    said(&Row::escape, {key::escape, none, "Esc", {}, Escape{}, false, true, group.device}),
+    row_of(keys.device_status.shown, nullptr, bound(keys.device_status, &Name::device_status, ToggleDialog{Dialog::doctor}, true)),
 
-    called(&Name::undo, {key::z, ctrl, "Ctrl+Z, Ctrl+Y", "Undo, redo (also Ctrl+Shift+Z)", Undo{}, true, false, "Undo, files, clipboard"}),
+    called(&Name::undo, said(&Row::undo, {key::z, ctrl, "Ctrl+Z, Ctrl+Y", {}, Undo{}, true, false, group.files})),
     called(&Name::redo, {key::z, ctrl | shift, "", "", Redo{}, true}),
     KeyBinding{key::y, ctrl, "", "", Redo{}, true},
-    called(&Name::copy_set_up, {key::c, ctrl, "Ctrl+C, Ctrl+V", "Copy what is shown as a command; paste one", CopySetUp{}}),
+    called(&Name::copy_set_up, said(&Row::set_up, {key::c, ctrl, "Ctrl+C, Ctrl+V", {}, CopySetUp{}})),
     called(&Name::paste_set_up, {key::v, ctrl, "", "", PasteSetUp{}}),
-    row_of(keys.link.shown, {}, bound(keys.link, &Name::link, ShowLink{})),
-    called(&Name::open_scene, {key::o, ctrl, "Ctrl+O, Ctrl+S", "Open a scene (or drop a file); save it", ToggleDialog{Dialog::open_scene}, false, true}),
+    row_of(keys.link.shown, nullptr, bound(keys.link, &Name::link, ShowLink{})),
+    called(&Name::open_scene, said(&Row::scene, {key::o, ctrl, "Ctrl+O, Ctrl+S", {}, ToggleDialog{Dialog::open_scene}, false, true})),
     called(&Name::save_scene, {key::s, ctrl, "", "", ToggleDialog{Dialog::save_scene}, false, true}),
-    row_of(keys.pictures, "Save or copy a picture; copy the live values", bound(keys.save_picture, &Name::save_picture, ToggleDialog{Dialog::save_picture}, true)),
+    row_of(keys.pictures, &Row::pictures, bound(keys.save_picture, &Name::save_picture, ToggleDialog{Dialog::save_picture}, true)),
     bound(keys.copy_picture, &Name::copy_picture, CopyPicture{}),
     bound(keys.copy_values, &Name::copy_values, CopyValues{}, true),
 
-    row_of(both(keys.help, palette), "Help: all keys; every action by its words", bound(keys.help, &Name::help, ToggleDialog{Dialog::help}, true), "Window"),
+    row_of(both(keys.help, palette), &Row::help, bound(keys.help, &Name::help, ToggleDialog{Dialog::help}, true), group.window),
     KeyBinding{palette.key, palette.modifiers, "", "", ToggleDialog{Dialog::palette}, false, true},
-    row_of(both(switch_face, keys.plots), "Stage or workbench; plots", bound(switch_face, &Name::switch_face, SwitchFace{}, true)),
+    row_of(both(switch_face, keys.plots), &Row::faces, bound(switch_face, &Name::switch_face, SwitchFace{}, true)),
     bound(keys.plots, &Name::plots, TogglePlots{}, true),
-    row_of(both(keys.full_screen, keys.next_theme), "Full screen; next theme: light, dark, projector", bound(keys.full_screen, &Name::full_screen, ToggleFullScreen{}, true)),
+    row_of(both(keys.full_screen, keys.next_theme), &Row::full_screen, bound(keys.full_screen, &Name::full_screen, ToggleFullScreen{}, true)),
     bound(keys.next_theme, &Name::next_theme, NextTheme{}),
-    for_own_window(called(&Name::larger_text, {key::equal, ctrl, "Ctrl+ + − 0", "Text size: larger, smaller, default", ChangeTextSize{1}, true})),
+    for_own_window(called(&Name::larger_text, said(&Row::text_size, {key::equal, ctrl, "Ctrl+ + − 0", {}, ChangeTextSize{1}, true}))),
     for_own_window({key::equal, ctrl | shift, "", "", ChangeTextSize{1}, true}),
     for_own_window(called(&Name::smaller_text, {key::minus, ctrl, "", "", ChangeTextSize{-1}, true})),
     for_own_window(called(&Name::usual_text, {key::digit_0, ctrl, "", "", UseUsualTextSize{}})),
-    KeyBinding{key::tab, none, "Tab", "Next control (Shift: previous)", std::nullopt, true},
+    said(&Row::tab, {key::tab, none, "Tab", {}, std::nullopt, true}),
     KeyBinding{key::tab, shift, "", "", std::nullopt, true},
     for_own_window(called(&Name::quit, {key::q, ctrl, "Ctrl+Q", {}, Quit{}, false, true})),
     for_own_window({key::q, ctrl | alt | shift, "", "", Quit{.ends_visit = true}, false, true}),  // told on the terminal
@@ -193,6 +189,11 @@ std::vector<KeyBinding> key_table_of(const FrontKeys& keys) {
     return binding.key == 0 || (binding.for_own_window && !keys.has_own_window);
   });
   return bindings;
+}
+
+std::string_view sentence_in(const StageLanguage& language, const KeyBinding& binding) noexcept {
+  if (binding.row != nullptr) return language.key_rows.*binding.row;
+  return binding.named != nullptr ? (language.actions.*binding.named).words : std::string_view();
 }
 
 std::string chord_of(const KeyBinding& binding) {
@@ -219,6 +220,12 @@ std::span<const KeyBinding> key_table() {
 }
 
 std::span<const MouseGesture> mouse_table() noexcept {
+  const StageLanguage::KeyGroups& group = english_stage.key_groups;
+  const StageLanguage::MouseRows& rows = english_stage.mouse_rows;
+  static const std::array gestures{MouseGesture{group.change, rows.drag.keys, rows.drag.words},
+                                   MouseGesture{group.change, rows.grips.keys, rows.grips.words},
+                                   MouseGesture{group.view, rows.view.keys, rows.view.words},
+                                   MouseGesture{group.change, rows.slider.keys, rows.slider.words}};
   return gestures;
 }
 

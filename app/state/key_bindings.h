@@ -24,19 +24,25 @@ struct KeyPress {
 
 // What an action is called, in each language.
 using ActionWords = StageLanguage::Action StageLanguage::Actions::*;
+// What a row of keys does that no single action's words say.
+using KeyRowWords = std::string_view StageLanguage::KeyRows::*;
 
 struct KeyBinding {
   int key;                       // of keys.h
   int modifiers;                 // of keys.h
   std::string shown;             // as printed on the keys; empty: a further key of the row above
-  std::string_view sentence;     // what it does
+  std::string_view sentence;     // what it does, in English
   std::optional<Action> action;  // empty: the screen moves the focus
   bool repeats = false;          // holding it down does it again
   bool also_in_fields = false;   // even while the person types into a field, where most keys are letters
-  std::string_view group{};      // of this row and those that follow; empty: that of the row above
+  std::string_view group{};      // in English; of this row and those that follow; empty: that of the row above
   bool for_own_window = false;   // not in a page
   ActionWords named = nullptr;   // as the palette has it; null: it is not there, or under other words
+  KeyRowWords row = nullptr;     // null: the row says what its action is called
 };
+
+// What that row does; empty where it is not shown.
+std::string_view sentence_in(const StageLanguage& language, const KeyBinding& binding) noexcept;
 
 // "Ctrl+Shift+Z": of that row alone.
 std::string chord_of(const KeyBinding& binding);
@@ -46,7 +52,7 @@ std::span<const KeyBinding> key_table();
 // Of a front with these keys.
 std::vector<KeyBinding> key_table_of(const FrontKeys& keys);
 
-// The mouse in the scene, in words: what the gestures do.
+// The mouse in the scene, in words: what the gestures do, in English.
 struct MouseGesture {
   std::string_view group;  // one of the keys'
   std::string_view shown;

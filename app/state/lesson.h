@@ -23,6 +23,9 @@ enum class LessonControl : std::uint8_t { hand, strategies, wall, motor };
 // What a picture keeps back until the question is answered.
 enum class LessonSecret : std::uint8_t { numbers, force, slide, rest };
 
+// What the small picture of a lesson shows large: all of the stage, or a part of it.
+enum class LessonSubject : std::uint8_t { everything, handle, hand, forces, ghost_force, slide, loop };
+
 // A quantity that a task can be about, of the moment that is shown; see the catalog in lesson_quantities.h.
 enum class LessonQuantity : std::uint8_t {
   depth,             // of the hand in the wall [mm]
@@ -84,14 +87,15 @@ struct LessonWords {
 };
 
 struct Lesson {
-  std::string name;                          // the file's, without .toml
-  std::string file;                          // as a person has named it; empty: the lesson comes with the program
-  std::string path;                          // of that file: absolute, and printable
-  double number = 0;                         // its place among others
-  std::size_t picture = 0;                   // the step that is shown for it, from 0
-  std::set<LessonSecret> secrets;            // in all of its steps, whether or not a question is open
-  std::vector<LessonStep> steps;             // one at least
-  std::map<std::string, LessonWords> words;  // by language, "en", "es" …; English or one other at least
+  std::string name;         // the file's, without .toml
+  std::string file;         // as a person has named it; empty: the lesson comes with the program
+  std::string path;         // of that file: absolute, and printable
+  double number = 0;        // its place among others
+  std::size_t picture = 0;  // the step that is shown for it, from 0
+  LessonSubject picture_of = LessonSubject::everything;  // what of it is shown
+  std::set<LessonSecret> secrets;                        // in all of its steps, whether or not a question is open
+  std::vector<LessonStep> steps;                         // one at least
+  std::map<std::string, LessonWords> words;              // by language, "en", "es" …; English or one other at least
 };
 
 }  // namespace ghostforce

@@ -9,11 +9,11 @@
 #include <glm/geometric.hpp>
 
 #include "app/state/lesson_file.h"
-#include "app/state/lesson_quantities.h"
 #include "app/state/mode_changes.h"
 #include "app/state/stage_view.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/user_measurement_guide.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -137,7 +137,7 @@ void glide_on(Session& session, double interval_s) {
   std::optional<LessonState::Glide>& glide = session.lesson->glide;
   if (!glide) return;
   if (session.drags_goal || session.goal != glide->last) return glide.reset();
-  glide->elapsed_s += interval_s;
+  glide->elapsed_s += reduces_motion(session) ? glide_lasts_s : interval_s;
   const double share = glide->elapsed_s < glide_lasts_s ? minimum_jerk(glide->elapsed_s / glide_lasts_s) : 1.0;
   session.goal = glide->last = share < 1.0 ? glm::mix(glide->from, glide->to, share) : glide->to;
   if (share == 1.0) glide.reset();
@@ -200,6 +200,7 @@ void next_lesson_step(Session& session) {
   if (lesson.step + 1 == lesson.steps.size()) {
     lesson.is_finished = true;
     note_progress(session);
+    session.lesson_gone_through = progress_key(*lesson.lesson);
     leave_lesson(session);
     if (session.kiosk_visit) return begin_lesson(session, session.kiosk_visit->take_next_lesson());
     session.dialog = Dialog::lessons;
@@ -221,6 +222,12 @@ void show_lesson_step(Session& session, std::size_t step) {
   lesson.step = std::min(step, lesson.steps.size() - 1);
   show_again(session);
   end_glide(session);
+}
+
+void begin_lesson_step_anew(Session& session) {
+  show_lesson_step(session, session.lesson->step);
+  ++session.restarts_asked;
+  session.fits_view = true;
 }
 
 void settle_in_lesson(Session& session, std::size_t answer) {
@@ -305,6 +312,20 @@ bool has_open_question(const Session& session, LessonQuestion question) noexcept
   return session.lesson && lesson_step(*session.lesson).question == question && is_open(*session.lesson);
 }
 
+std::size_t lesson_to_go_on_with(const Session& session) {
+  const auto& lessons = shipped_lessons();
+  const auto& records = session.lesson_progress.lessons;
+  const auto is_last = [&](const auto& lesson) { return progress_key(*lesson) == session.lesson_gone_through; };
+  const auto last = std::ranges::find_if(lessons, is_last);
+  const std::size_t first = last == lessons.end() ? 0 : static_cast<std::size_t>(last - lessons.begin()) + 1;
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    const std::size_t number = (first + i) % lessons.size();
+    const auto found = records.find(progress_key(*lessons[number]));
+    if (found == records.end() || !found->second.is_finished) return number;
+  }
+  return first % lessons.size();
+}
+
 StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept {
   StageMode mode = StageMode::none;
   for (std::size_t i = 0; i <= step; ++i) {
@@ -315,8 +336,12 @@ StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept {
 }
 
 SceneView stage_view_of(const Session& session) {
+  if (session.stage.mode == StageMode::landscape && has_joints(session.settings))
+    return workspace_view(session.settings);
   const double reference_force = reference_force_of(session);
-  if (!session.lesson) return stage_view_of(session.settings, std::span(&session.goal, 1), reference_force);
+  if (!session.lesson) {
+    return stage_view_of(session.settings, std::span(&session.goal, 1), reference_force, session.stage.guess);
+  }
   const LessonState& lesson = *session.lesson;
   std::vector<Vector<2>> goals{hand_of(session)};
   for (const auto* const each : {&lesson_step(lesson).set_up, &lesson_step(lesson).reveal}) {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <string_view>
 
 #include "app/state/lesson_quantities.h"
 #include "app/state/session.h"
@@ -22,6 +21,8 @@ void abandon_lesson(Session& session);
 void next_lesson_step(Session& session);
 // Back to the step before, as it was last stated; before the first nothing happens.
 void previous_lesson_step(Session& session);
+// The step that is shown, as it was last stated; what was answered stays so.
+void begin_lesson_step_anew(Session& session);
 // A step and what is on the stage in it, at once and with nothing before it answered: for pictures.
 void show_lesson_step(Session& session, std::size_t step);
 // Answers the step's question for a picture, at once: a choice with that answer; a guess or a task rightly with 0, else
@@ -50,6 +51,10 @@ void follow_lesson(Session& session, const LessonReading& reading, double interv
 bool is_allowed(const Session& session, LessonControl control) noexcept;
 bool is_hidden(const Session& session, LessonSecret secret) noexcept;
 bool has_open_question(const Session& session, LessonQuestion question) noexcept;
+
+// Of the shipped lessons, the number of the one to go on with: the next that is not done after the one that was gone
+// through last, and the first of these after the last one; where all are done, the one that follows.
+std::size_t lesson_to_go_on_with(const Session& session);
 
 // The mode of the stage in which that step begins.
 StageMode mode_of_step(const Lesson& lesson, std::size_t step) noexcept;

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -51,6 +49,18 @@ LessonRecord read_record(const TomlValue& table) {
 
 const std::string& progress_key(const Lesson& lesson) noexcept {
   return lesson.path.empty() ? lesson.name : lesson.path;
+}
+
+std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words) {
+  const auto found = progress.lessons.find(progress_key(lesson));
+  if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
+  const LessonRecord& record = found->second;
+  // How many there are is not said: an answer that was asked for is no wrong one.
+  const auto right =
+      std::ranges::count_if(lesson.steps, [&](const LessonStep& step) { return record.right.contains(step.name); });
+  const std::string score = right == 0 ? "" : " · " + filled(words.right, right);
+  if (record.is_finished) return std::string(words.done) + score;
+  return filled(words.step, std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size()) + score;
 }
 
 void merge(LessonProgress& into, const LessonProgress& other) {

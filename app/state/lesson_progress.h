@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/state/lesson.h"
+#include "app/state/stage_language.h"
 
 namespace ghostforce {
 
@@ -28,6 +29,9 @@ struct LessonProgress {
 
 // A shipped lesson's name, or the path of another: a lesson of one's own is another one, whatever it is called.
 const std::string& progress_key(const Lesson& lesson) noexcept;
+
+// What is known of a lesson, in words.
+std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words);
 
 // Adds what `other` has of each lesson: nothing that was done is lost.
 void merge(LessonProgress& into, const LessonProgress& other);

@@ -11,6 +11,7 @@
 #include "app/files/scene_keys.h"
 #include "app/picture/text.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -32,7 +33,7 @@ double ghost_force_size(const LessonReading& now) noexcept {
 constexpr std::array quantities{
     LessonQuantityEntry{
         LessonQuantity::depth, "depth_mm", "how deep in the wall the hand is; negative in front of it",
-        [](const LessonReading& now) noexcept { return mm_per_m * depth(wall_of(now.settings), now.moment.goal); }},
+        [](const LessonReading& now) noexcept { return mm_per_m * depth_in_wall(now.settings, now.moment.goal); }},
     LessonQuantityEntry{
         LessonQuantity::force, "force_N", "how hard the motors push, the ghost force included",
         [](const LessonReading& now) noexcept { return glm::length(now.moment.wall_share + now.moment.ghost_force); }},
@@ -51,8 +52,8 @@ constexpr std::array quantities{
     LessonQuantityEntry{LessonQuantity::angle, "angle_deg",
                         "between the motor and the wall's push: 0 straight at the wall, 90 along it",
                         [](const LessonReading& now) noexcept {
-                          const double cosine = glm::dot(direction_at(now.settings.wall_normal_angle),
-                                                         direction_at(now.settings.actuated_angle));
+                          const double cosine = glm::dot(wall_near(now.settings, now.moment.goal).normal,
+                                                         rail_direction(now.settings, now.moment.handle));
                           return degrees_per_radian * std::acos(std::min(std::abs(cosine), 1.0));
                         }},
     LessonQuantityEntry{LessonQuantity::energy, "energy_mJ",

@@ -1,7 +1,6 @@
 #include "app/state/lesson_reader.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -11,6 +10,7 @@
 
 #include "app/base/language.h"
 #include "app/base/quoted.h"
+#include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
 #include "app/state/lesson_quantities.h"
 #include "app/state/set_up.h"
@@ -382,7 +382,8 @@ Lesson LessonReader::read(std::string_view text) {
   std::optional<TomlValue> picture;
   const bool is_toml = toml_.parse(text);
   if (is_toml && toml_.has_table("wall")) {
-    toml_.refuse("this is a scene, not a lesson", "open it with ghostforce run");
+    toml_.refuse("this is a scene, not a lesson",
+                 "ghostforce equilibrium tells whether it is right, and ghostforce run opens it");
   } else if (is_toml && toml_.has_known_format()) {
     const std::array keys{
         TomlKey{"", "format", [](const TomlValue&) {}},
@@ -391,6 +392,9 @@ Lesson LessonReader::read(std::string_view text) {
         TomlKey{"", "hidden",
                 [&](const TomlValue& value) { lesson_.secrets = read_word_list(value, lesson_secret_catalog); }},
         TomlKey{"", "picture", [&](const TomlValue& value) { picture = value; }},
+        TomlKey{"", "picture_of",
+                catalog_entry(std::span<const LessonWord<LessonSubject>>(lesson_subject_catalog),
+                              [&](const LessonWord<LessonSubject>& word) { lesson_.picture_of = word.id; })},
         TomlKey{"", "step", [&](const TomlValue& steps) { read_steps(steps); }},
     };
     toml_.whole().read_table(keys, [&](std::string_view name, const TomlValue& value) {

@@ -36,6 +36,16 @@ inline constexpr std::array lesson_secret_catalog{
     LessonWord<LessonSecret>{LessonSecret::rest, "rest"},
 };
 
+inline constexpr std::array lesson_subject_catalog{
+    LessonWord<LessonSubject>{LessonSubject::everything, "everything"},
+    LessonWord<LessonSubject>{LessonSubject::handle, "handle"},
+    LessonWord<LessonSubject>{LessonSubject::hand, "hand"},
+    LessonWord<LessonSubject>{LessonSubject::forces, "forces"},
+    LessonWord<LessonSubject>{LessonSubject::ghost_force, "ghost_force"},
+    LessonWord<LessonSubject>{LessonSubject::slide, "slide"},
+    LessonWord<LessonSubject>{LessonSubject::loop, "loop"},
+};
+
 // Without `none`.
 inline constexpr std::array lesson_question_catalog{
     LessonWord<LessonQuestion>{LessonQuestion::choose, "choose"},

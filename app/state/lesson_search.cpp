@@ -15,6 +15,7 @@
 #include "app/state/stage_language.h"
 #include "app/state/stage_view.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -129,13 +130,22 @@ class TaskSearch {
       tried.goal = view_.center + view_.width * share * Vector<2>(x, y);
     }
     if (can(LessonControl::wall)) settings.wall_normal_angle = 2.0 * std::numbers::pi * *next++;
-    if (can(LessonControl::motor)) settings.actuated_angle = std::numbers::pi * *next++;
+    if (can(LessonControl::motor)) move_motor(*next++, settings);
     if (task_.slider) {
       const LessonSlider& slider = *task_.slider;
       set_number(tried.scene, *slider.key, std::lerp(slider.least, slider.greatest, *next++));
     }
     tried.scene.goal.points.back() = tried.goal;
     return tried;
+  }
+
+  // A motor at a joint can be at the other one, any other has an angle.
+  static void move_motor(double coordinate, Settings& settings) {
+    if (!has_joints(settings)) {
+      settings.actuated_angle = std::numbers::pi * coordinate;
+    } else if (coordinate >= 0.5) {
+      settings = with_other_motor(settings);
+    }
   }
 
   void round_slider(Scene& scene, double per_unit) const {

@@ -1,6 +1,7 @@
 #include "app/state/mode_changes.h"
 
 #include "app/state/stiffness_probe_guide.h"
+#include "core/scene_shape.h"
 #include "device/report/input_choice.h"
 
 namespace ghostforce {
@@ -12,6 +13,7 @@ void begin_stage_mode(Session& session, StageMode mode) {
   if (mode != StageMode::ribbon) stage.looks_back_to_s.reset();
   if (mode == StageMode::why) stage.why_step = 1;
   if (mode == StageMode::round) begin_circle_test(session);
+  if (mode == StageMode::landscape) session.fits_view = true;  // on all of a workspace
 }
 
 void leave_stage_mode(Session& session) {
@@ -55,7 +57,7 @@ void end_circle_test(Session& session) {
 }
 
 Circle circle_of(const Session& session) noexcept {
-  return circle_inside(wall_of(session.settings), session.goal, session.circle_test.choice);
+  return circle_inside(wall_near(session.settings, session.goal), session.goal, session.circle_test.choice);
 }
 
 }  // namespace ghostforce

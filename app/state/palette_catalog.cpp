@@ -112,10 +112,11 @@ std::string refusal_of(const Circumstances& now, const Action& action) {
 struct Entries {
   Circumstances now;
   std::vector<PaletteEntry> all{};
+  ActionGroup group{};  // of what is added
 
   void add(std::string words, std::string_view also, Action action, std::string key = {}) {
     std::string refusal = refusal_of(now, action);
-    all.push_back({std::move(words), also, std::move(key), std::move(action), std::move(refusal)});
+    all.push_back({std::move(words), also, std::move(key), std::move(action), std::move(refusal), group});
   }
   void add(ActionWords named, Action action, std::string key = {}) {
     const StageLanguage::Action& said = now.language.actions.*named;
@@ -130,6 +131,7 @@ struct Entries {
 
 // What Enter does before anything is typed turns them off.
 void add_motors(Entries& entries) {
+  entries.group = ActionGroup::devices;
   entries.add(&Name::stop_motors, StopMotors{});
   entries.add(&Name::arm_motors, ArmMotors{});
   entries.add(&Name::dismiss_off, AcknowledgeOff{});
@@ -145,6 +147,7 @@ std::string number_key_of(StrategyId id) {
 }
 
 void add_strategies(Entries& entries) {
+  entries.group = ActionGroup::strategies;
   for (const Strategy& each : strategy_catalog()) {
     const StageLanguage::StrategyButton& words = entries.now.language.strategy_buttons[index_of(each.id)];
     entries.add(&Name::strategy, fmt::format("{} ({})", words.name, words.about), ChooseStrategy{each.id},
@@ -153,6 +156,7 @@ void add_strategies(Entries& entries) {
 }
 
 void add_modes(Entries& entries) {
+  entries.group = ActionGroup::stage;
   for (const StageModeEntry& mode : stage_mode_catalog()) {
     const StageLanguage::Mode& said = entries.now.language.modes.*mode.words;
     const Action action = mode.id == StageMode::measure ? Action(MeasureHand{}) : ToggleMode{mode.id};
@@ -162,11 +166,13 @@ void add_modes(Entries& entries) {
 
 void add_keys(Entries& entries) {
   for (const KeyBinding& binding : key_table()) {
+    if (!binding.group.empty()) entries.group = action_group_of(binding.group);
     if (binding.named != nullptr) entries.add(binding.named, *binding.action, chord_of(binding));
   }
 }
 
 void add_looks(Entries& entries) {
+  entries.group = ActionGroup::view;
   const Session& session = entries.now.session;
   constexpr std::array themes{&Name::light_theme, &Name::dark_theme, &Name::projector_theme};
   for (std::size_t i = 0; i < themes.size(); ++i) {
@@ -174,6 +180,9 @@ void add_looks(Entries& entries) {
     look.theme = &theme_catalog()[i];
     entries.add(themes[i], ChangeAppearance{look});
   }
+  entries.add(&Name::full_motion, ChangeMotion{ScreenMotion::full});
+  entries.add(&Name::reduced_motion, ChangeMotion{ScreenMotion::reduced});
+  entries.add(&Name::system_motion, ChangeMotion{ScreenMotion::as_system});
   constexpr std::array comparisons{std::pair{&Name::overlay, Compare::overlay},
                                    std::pair{&Name::side_by_side, Compare::side_by_side},
                                    std::pair{&Name::active_only, Compare::active_only}};
@@ -186,6 +195,7 @@ void add_looks(Entries& entries) {
   entries.add(&Name::ghost_forces, ToggleViewOption{&ViewOptions::ghost_forces});
   entries.add(&Name::predictions, ToggleViewOption{&ViewOptions::predictions});
   entries.add(&Name::trails, ToggleViewOption{&ViewOptions::trails});
+  entries.group = ActionGroup::window;
   for (const StageLanguage* const each : stage_languages) {
     entries.add(&Name::language, each->name, ChooseLanguage{std::string(each->code)});
   }
@@ -197,28 +207,48 @@ void add_looks(Entries& entries) {
 }
 
 void add_experiments(Entries& entries) {
+  entries.group = ActionGroup::devices;
   for (const InputChoice& input : entries.now.loop.inputs) {
     entries.add(&Name::choose_input, input.title, ChooseInput{std::string(input.name)});
   }
+  entries.group = ActionGroup::hand;
   entries.add(&Name::largest_drift, TurnWallToLargestDrift{});
+  entries.add(&Name::switch_motor, SwitchMotor{});
+  entries.group = ActionGroup::devices;
   entries.add(&Name::start_measuring, StartMeasuring{});
   entries.add(&Name::start_recording, StartRecording{entries.now.session.recording_path});
   entries.add(&Name::stop_recording, StopRecording{});
+  entries.group = ActionGroup::files;
   entries.add(&Name::save_plots, OpenDialog{Dialog::save_plots});
   if (save_place().paints_files) entries.add(&Name::save_clip, OpenDialog{Dialog::save_clip});
 }
 
 void add_lessons_and_scenes(Entries& entries) {
+  entries.group = ActionGroup::stage;
   entries.add(&Name::leave_lesson, LeaveLesson{});
   for (const auto& lesson : shipped_lessons()) {
     entries.add(&Name::lesson, words_in(*lesson, entries.now.session.language).title, OpenLesson{lesson->name});
   }
+  entries.group = ActionGroup::scenes;
   for (const std::string_view name : shipped_scene_names()) {
     entries.add(&Name::scene, name, OpenScene{std::string(name)});
   }
 }
 
 }  // namespace
+
+ActionGroup action_group_of(std::string_view key_group) noexcept {
+  const StageLanguage::KeyGroups& all = english_stage.key_groups;
+  const std::array rows{std::pair{all.strategies, ActionGroup::strategies},
+                        std::pair{all.stage, ActionGroup::stage},
+                        std::pair{all.change, ActionGroup::hand},
+                        std::pair{all.time, ActionGroup::hand},
+                        std::pair{all.view, ActionGroup::view},
+                        std::pair{all.files, ActionGroup::files},
+                        std::pair{all.device, ActionGroup::devices}};
+  const auto* const found = std::ranges::find(rows, key_group, [](const auto& row) { return row.first; });
+  return found == rows.end() ? ActionGroup::window : found->second;
+}
 
 std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop) {
   Entries entries{{session, loop, stage_language(session.language)}};
@@ -229,6 +259,7 @@ std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopRead
   add_keys(entries);
   add_experiments(entries);
   add_lessons_and_scenes(entries);
+  entries.group = ActionGroup::window;
   // The last one: what it takes back is not to be found first by who looks for another reset.
   entries.add(&Name::reset_preferences, OpenDialog{Dialog::reset_preferences});
   return std::move(entries.all);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <string_view>
@@ -13,12 +14,23 @@
 
 namespace ghostforce {
 
+// What an action is about, what is used most first. In the order of the words in assets/languages.
+enum class ActionGroup : std::uint8_t { strategies, stage, hand, view, files, devices, scenes, window };
+
+inline constexpr std::size_t action_group_count = static_cast<std::size_t>(ActionGroup::window) + 1;
+static_assert(sizeof(StageLanguage::ActionGroups) / sizeof(std::string_view) == action_group_count,
+              "assets/languages: each group of actions has words");
+
+// Of the rows of keys that stand under that heading of help.
+ActionGroup action_group_of(std::string_view key_group) noexcept;
+
 struct PaletteEntry {
   std::string words;
   std::string_view also;  // further words by which it is found
   std::string key;        // as printed on it; empty: it has none
   Action action;
   std::string refusal;  // a sentence; empty: it can be done
+  ActionGroup group;
 };
 
 // Of this front, as things are.

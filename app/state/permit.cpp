@@ -1,7 +1,10 @@
 #include "app/state/permit.h"
 
+#include <algorithm>
+
 #include "app/state/lesson_guide.h"
 #include "app/state/user_measurement_guide.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -12,6 +15,8 @@ using Why = StageLanguage::Refusals;
 // Of what has no row in the palette, and of what visitors have no way to: nobody reads it.
 constexpr Refusal has_no_meaning{&Why::has_no_meaning};
 constexpr Refusal left_to_lesson{&Why::left_to_lesson};
+constexpr Refusal plots_left_to_lesson{&Why::left_to_lesson, true};
+constexpr Refusal needs_wider_window{&Why::needs_wider_window, true};
 constexpr Refusal not_in_this_step{&Why::not_in_this_step};
 constexpr Refusal not_measured{&Why::not_measured};
 constexpr Refusal only_on_workbench{&Why::only_on_workbench};
@@ -19,16 +24,17 @@ constexpr Refusal view_of_its_own{&Why::view_of_its_own};
 constexpr Refusal measurement_sets_it{&Why::measurement_sets_it};
 constexpr Refusal curves_are_hidden{&Why::curves_are_hidden, true, true};
 constexpr Refusal measures_otherwise{&Why::measures_otherwise, true};
+constexpr Refusal not_with_this_device{&Why::not_with_this_device, true};
 
 // A visitor has no way to files, settings or the window.
-using ForVisitors =
-    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
-                 TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber,
-                 PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
-                 StopMotors, AcknowledgeOff, Escape, HoldControl, Quit>;
+using ForVisitors = std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, MovePart,
+                                 SwitchMotor, GoToLandscapePoint, TurnLandscapeDial, LookBackTo, MoveSliderTo,
+                                 NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber, PressMeasuringButton,
+                                 Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
+                                 StopMotors, AcknowledgeOff, Escape, HoldControl, FollowSystemMotion, Quit>;
 
 // A lesson tells its own time, says which mode is on and what moves the hand, and leaves nothing to undo.
-using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, Restart, ShowFace, SwitchFace, ToggleMode,
+using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, ShowFace, SwitchFace, ToggleMode,
                                   ToggleMenu, ChooseInput, BeginCircleTest, EndCircleTest, StartMeasuring, Undo, Redo>;
 
 Permission refuse_unless(bool is_allowed, const Refusal& refusal) {
@@ -44,9 +50,27 @@ Permission permit_slider(const Session& session) {
   return refuse_unless(has_slider, not_in_this_step);
 }
 
+// What is made for the paper's scenes alone.
+Permission permit_paper(const Session& session) {
+  return refuse_unless(!is_general(session.settings), not_with_this_device);
+}
+
 // The mode would show what a blind measurement hides.
 Permission permit_probe(const Session& session) {
+  if (const auto refusal = permit_paper(session)) return refusal;
   return refuse_unless(!is_measuring(session) && !hides_answer(session), measures_otherwise);
+}
+
+// One direction, wherever the handle is.
+Permission permit_motor(const Session& session) {
+  if (session.settings.general.mechanism != MechanismKind::axes) return not_with_this_device;
+  return permit_control(session, LessonControl::motor);
+}
+
+// One straight wall.
+Permission permit_wall(const Session& session) {
+  if (session.settings.general.constraint != ConstraintKind::plane) return not_with_this_device;
+  return permit_control(session, LessonControl::wall);
 }
 
 // What an action needs besides; most need nothing.
@@ -71,11 +95,11 @@ Permission permit_kind(const Session& session, const MoveGuessTo&) {
 }
 
 Permission permit_kind(const Session& session, const TurnMotorTo&) {
-  return permit_control(session, LessonControl::motor);
+  return permit_motor(session);
 }
 
 Permission permit_kind(const Session& session, const TurnWallTo&) {
-  return permit_control(session, LessonControl::wall);
+  return permit_wall(session);
 }
 
 // A place on the map is a wall and a stiffness.
@@ -99,11 +123,27 @@ Permission permit_kind(const Session& session, const NudgeSlider&) {
 }
 
 Permission permit_kind(const Session& session, const TurnMotorBy&) {
-  return permit_control(session, LessonControl::motor);
+  return permit_motor(session);
 }
 
 Permission permit_kind(const Session& session, const TurnWallToLargestDrift&) {
+  if (const auto refusal = permit_paper(session)) return refusal;
   return permit_control(session, LessonControl::wall);
+}
+
+Permission permit_kind(const Session& session, const MovePart& action) {
+  const auto has = [&](const PlacedPart& part) { return part.part == action.part && !part.stays; };
+  if (std::ranges::none_of(scene_parts(session.settings, session.goal, 0.0), has)) return has_no_meaning;
+  return permit_control(session, is_of_wall(action.part) ? LessonControl::wall : LessonControl::motor);
+}
+
+Permission permit_kind(const Session& session, const SwitchMotor&) {
+  if (!has_joints(session.settings)) return not_with_this_device;
+  return permit_control(session, LessonControl::motor);
+}
+
+Permission permit_kind(const Session& session, const TurnRatio&) {
+  return permit_paper(session);
 }
 
 Permission permit_kind(const Session& session, const ChooseStrategy&) {
@@ -119,7 +159,13 @@ Permission permit_kind(const Session& session, const AnswerLesson&) {
   return refuse_unless(has_open_question(session, LessonQuestion::choose), has_no_meaning);
 }
 
+// A lesson's step can begin anew, and with its own settings.
+Permission permit_kind(const Session& session, const Restart& action) {
+  return refuse_unless(!session.lesson || !action.with_scene_settings, left_to_lesson);
+}
+
 Permission permit_kind(const Session& session, const ToggleMode& action) {
+  if (action.mode == StageMode::landscape && !has_joints(session.settings)) return permit_paper(session);
   return action.mode == StageMode::measure ? permit_probe(session) : std::nullopt;
 }
 
@@ -147,6 +193,26 @@ Permission permit_kind(const Session& session, const ChangeViewOptions&) {
 
 Permission permit_kind(const Session& session, const StartMeasuring&) {
   return permit_on_workbench(session);
+}
+
+// To be gone to; who is there may leave it.
+Permission permit_workbench(const Session& session) {
+  if (session.face == Face::stage && is_general(session.settings)) return not_with_this_device;
+  return refuse_unless(session.has_room_for_workbench || session.face == Face::workbench, needs_wider_window);
+}
+
+Permission permit_kind(const Session& session, const ShowFace& action) {
+  return action.face == Face::workbench ? permit_workbench(session) : std::nullopt;
+}
+
+Permission permit_kind(const Session& session, const SwitchFace&) {
+  return permit_workbench(session);
+}
+
+// They are on the workbench.
+Permission permit_kind(const Session& session, const TogglePlots&) {
+  if (session.lesson && session.face == Face::stage) return plots_left_to_lesson;
+  return permit_workbench(session);
 }
 
 Permission permit_view(const Session& session) {

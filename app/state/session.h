@@ -157,6 +157,10 @@ struct Appearance {
   friend bool operator==(const Appearance&, const Appearance&) = default;
 };
 
+// How much the stage moves by itself. Reduced: it shows nothing while nobody does anything, and goes from one picture to
+// the next at once. The simulation is the same.
+enum class ScreenMotion : std::uint8_t { as_system, full, reduced };
+
 // The stage measures the hand once, because somebody asked for it. The tones sound (core/measuring_tones.h) until it is
 // known how stiff the hand is, or the stage gives up and says why. Only model time in the wall counts.
 // stiffness_probe_guide.h leads it. SI units.
@@ -211,6 +215,7 @@ struct Form {
   std::string path;
   bool awaits_place = false;  // of the system's own dialog, which is open
   int density = 2;
+  bool is_at_left = false;  // of a dialog beside the hand: it stays where it was opened
   bool scene_alone = false;
   bool whole_history = false;
   int clip_seconds = 5;
@@ -252,6 +257,7 @@ struct Session {
   StageChoice stage;
   std::optional<LessonState> lesson;      // empty: there is none
   LessonProgress lesson_progress;         // in all lessons
+  std::string lesson_gone_through;        // last, in this run: its progress_key(); empty: none
   std::string language{"en"};             // of the stage and of lessons, of ISO 639-1
   std::optional<KioskVisit> kiosk_visit;  // of the visitor's mode; empty: an ordinary run
   SceneView shown;                        // the part of the world in the workbench's picture,
@@ -260,12 +266,17 @@ struct Session {
   ViewOptions options;
   PlotView plots;
   Appearance appearance;
+  std::shared_ptr<const Theme> system_theme;  // in place of the chosen one, where the system forces its colours
+  ScreenMotion motion = ScreenMotion::as_system;
+  bool system_reduces_motion = false;                // what the desktop or the browser says about it
   std::set<std::string, std::less<>> folded_panels;  // by title
-  bool offers_audience = true;                       // there can be a second window,
-  bool has_audience = false;                         // in which the audience sees the stage alone
-  bool offers_speech = true;                         // there is somebody who could read aloud
-  bool speaks = false;                               // the stage's sentence is to be read aloud
-  std::string speech_problem;                        // why nothing is spoken all the same; empty: nothing is wrong
+  bool has_room_for_workbench = true;                // the window is not a phone's
+  bool offers_full_screen = true;
+  bool offers_audience = true;  // there can be a second window,
+  bool has_audience = false;    // in which the audience sees the stage alone
+  bool offers_speech = true;    // there is somebody who could read aloud
+  bool speaks = false;          // the stage's sentence is to be read aloud
+  std::string speech_problem;   // why nothing is spoken all the same; empty: nothing is wrong
   bool paused = false;
   double speed = 1.0;  // of model time against real time
   std::uint32_t steps_asked = 0;
@@ -299,6 +310,16 @@ struct Session {
   bool fits_view = false;                   // the face that is shown then shows everything
   int ticks_through_history = 0;            // to look at the moment so many ticks later; negative: earlier
 };
+
+// That the screen has.
+inline const Theme& shown_theme(const Session& session) noexcept {
+  return session.system_theme ? *session.system_theme : *session.appearance.theme;
+}
+
+inline bool reduces_motion(const Session& session) noexcept {
+  return session.motion == ScreenMotion::reduced ||
+         (session.motion == ScreenMotion::as_system && session.system_reduces_motion);
+}
 
 // As it begins with this scene.
 inline Session session_of(const Scene& scene) {

@@ -61,7 +61,9 @@ class SetUpTexts {
     std::string moved_goal;
     for (std::size_t i = 0; i < texts_.size(); ++i) {
       const SceneKey& key = scene_keys()[i];
-      if (is_words_about_scene(key) || has_option_of_its_own(key) || texts_[i] == override_text(base, key)) continue;
+      if (is_words_about_scene(key) || has_option_of_its_own(key) || !belongs(key, set_up_.scene)) continue;
+      if (belongs(key, base) && texts_[i] == override_text(base, key)) continue;
+      if (!belongs(key, base) && key.is_omitted_when_default && texts_[i] == override_text(Scene{}, key)) continue;
       if (texts_[i].empty()) return std::nullopt;
       if (is_path(key) && only_end_differs(base, key)) {
         moved_goal = fmt::format("--goal-mm={}", position_mm_text(set_up_.goal));

@@ -32,6 +32,12 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return ToggleDialog{Dialog::palette};
     case StageCommand::link:
       return ShowLink{};
+    case StageCommand::full_screen:
+      return ToggleFullScreen{};
+    case StageCommand::fit:
+      return FitView{};
+    case StageCommand::reset:
+      return Restart{};
     case StageCommand::motors:
       return action_of_motor_button(motors);
     case StageCommand::lessons:
@@ -89,7 +95,10 @@ std::optional<Action> action_of_motor_button(const MotorReport& motors) {
 
 StageKeys stage_keys() noexcept {
   const FrontKeys& keys = front_keys();
-  return {.lessons = keys.lessons.shown, .help = keys.help.shown, .link = keys.link.shown};
+  return {.lessons = keys.lessons.shown,
+          .help = keys.help.shown,
+          .full_screen = keys.full_screen.shown,
+          .link = keys.link.shown};
 }
 
 }  // namespace ghostforce

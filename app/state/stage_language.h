@@ -39,6 +39,16 @@ auto words_of(const Table& table) noexcept {
   return std::bit_cast<std::array<std::string_view, sizeof(Table) / sizeof(std::string_view)>>(table);
 }
 
+// What a language has in place of these words of the English table; these themselves where it is not of that table.
+template <typename Table>
+std::string_view counterpart(const Table& english, const Table& own, std::string_view words) noexcept {
+  const auto all = words_of(english);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] == words) return words_of(own)[i];
+  }
+  return words;
+}
+
 // The words with these values in place of "{}".
 template <typename... Values>
 std::string filled(std::string_view words, const Values&... values) {

@@ -5,22 +5,33 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
-#include "core/prediction.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
 
 // What does not depend on the strategy's own state.
 StageMoment moment_of_goal(const Settings& settings, const Vector<2>& goal) noexcept {
-  const Wall<2> wall = wall_of(settings);
+  const bool has_every_motor = strategy(settings.active).has_every_motor;
   StageMoment moment;
   moment.weights[index_of(settings.active)] = 1.0;
   moment.goal = goal;
-  moment.expected_rest = strategy(settings.active).has_every_motor
-                             ? equilibrium_of(settings.active, settings, goal).device
-                             : equilibrium_without_ghost(settings, goal).device;
-  moment.expected_contact = projection(wall, goal);
+  moment.expected_contact = foot_on_edge(settings, goal);
+  if (!is_general(settings)) {
+    moment.expected_rest = has_every_motor ? equilibrium_of(settings.active, settings, goal).device
+                                           : rest_without_ghost(settings, goal)->device;
+    return moment;
+  }
+  // Where a wall is not flat it holds with every motor where they let the handle rest, not at the goal's foot.
+  const auto full = rest_of(StrategyId::full, settings, goal);
+  const auto cured = has_every_motor ? std::nullopt : rest_without_ghost(settings, goal);
+  if (full && full->at.in_contact) moment.expected_contact = full->at.contact;
+  moment.expected_rest = cured ? cured->device : full ? full->at.device : goal;
   return moment;
+}
+
+bool is_outside(const Settings& settings, const Vector<2>& handle) noexcept {
+  return is_general(settings) && motor_reach(settings, handle).count == 0;
 }
 
 }  // namespace
@@ -39,6 +50,8 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   // In free space the sampled loop has a force of its own, which is no wall's.
   if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;
   moment.slide = now.proxy_drift;
+  moment.is_outside = is_outside(settings, moment.handle);
+  moment.has_rest = !is_general(settings) || rest_of(settings.active, settings, goal).has_value();
   return moment;
 }
 
@@ -52,14 +65,22 @@ StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Ve
 }
 
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept {
-  const PredictedEquilibrium rest = predicted_equilibria(settings, goal)[index_of(settings.active)];
   StageMoment moment = moment_of_goal(settings, goal);
+  const auto found = rest_of(settings.active, settings, goal);
+  if (!found) {
+    moment.has_rest = false;
+    moment.handle = moment.expected_rest;
+    moment.proxy = moment.expected_contact;
+    return moment;
+  }
+  const PredictedEquilibrium& rest = *found;
   moment.handle = rest.at.device;
   moment.proxy = rest.at.proxy;
   moment.in_contact = rest.at.in_contact;
   moment.wall_share = rest.at.force - rest.ghost_force;
   moment.ghost_force = rest.ghost_force;
   moment.slide = rest.proxy_drift;
+  moment.is_outside = is_outside(settings, moment.handle);
   return moment;
 }
 
@@ -69,13 +90,7 @@ double signed_ghost_force(const StageMoment& moment) noexcept {
 }
 
 Vector<2> neutral_guess(const Settings& settings, const Vector<2>& goal) noexcept {
-  return glm::mix(goal, projection(wall_of(settings), goal), 0.45);
-}
-
-Equilibrium<2> equilibrium_without_ghost(const Settings& settings, const Vector<2>& goal) noexcept {
-  const Stiffnesses& stiffnesses = settings.stiffnesses;
-  return equilibrium_with_ratio(wall_of(settings), actuation_of(settings), stiffnesses,
-                                optimal_tracking_ratio(stiffnesses.k_r, stiffnesses.k_u), goal);
+  return glm::mix(goal, foot_on_edge(settings, goal), 0.45);
 }
 
 }  // namespace ghostforce

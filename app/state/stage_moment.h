@@ -25,6 +25,8 @@ struct StageMoment {
   bool is_measured = false;         // the handle is a device's, and the goal inferred
   bool has_target = false;          // that hand was told where to press: its slide is known all the same
   bool knows_ghost_force = true;    // of a measured handle in the wall only with a target; else ghost_force is 0
+  bool has_rest = true;             // under this goal the active strategy comes to rest somewhere
+  bool is_outside = false;          // the device cannot follow the handle there, and does nothing
 
   // Without contact nothing slides, whoever holds the handle.
   bool knows_slide() const noexcept { return !is_measured || has_target || !in_contact; }
@@ -38,7 +40,7 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
 // handle. Other moments stay as they are.
 StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept;
 
-// At rest under a goal that is held still, by closed form.
+// At rest under a goal that is held still, by closed form. Without a rest it is where the handle should be.
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept;
 
 // Excess along the wall's share: positive where the motor pushes too hard, negative where too little [N].
@@ -46,8 +48,5 @@ double signed_ghost_force(const StageMoment& moment) noexcept;
 
 // A guess of where the handle comes to rest that tells nothing: between the hand and the wall [m].
 Vector<2> neutral_guess(const Settings& settings, const Vector<2>& goal) noexcept;
-
-// With the ratio that the true hand needs, ρ* (17): where the handle should rest [m].
-Equilibrium<2> equilibrium_without_ghost(const Settings& settings, const Vector<2>& goal) noexcept;
 
 }  // namespace ghostforce

@@ -7,11 +7,13 @@
 #include <glm/geometric.hpp>
 
 #include "app/state/stage_moment.h"
-#include "core/prediction.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
 
+constexpr double least_width = 0.03;                               // of a view [m]
+constexpr double greatest_scale = stage_view_width / least_width;  // [points/m]
 constexpr double usual_arrow = 235.0;
 constexpr double longest_arrow = 300.0;
 
@@ -33,7 +35,7 @@ double arrow_points_per_newton(double reference_force, double greatest) noexcept
 
 std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>& goal, double reference_force) {
   std::vector<StageStroke> strokes;
-  const Vector<2> out = to_screen_direction(wall_of(settings).normal);
+  const Vector<2> out = to_screen_direction(wall_near(settings, goal).normal);
   for (const Strategy& strategy : strategy_catalog()) {
     Settings each = settings;
     each.active = strategy.id;
@@ -66,19 +68,54 @@ std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>
   return strokes;
 }
 
-SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals, double reference_force) {
-  constexpr double least_width = 0.03;  // [m]
-  std::vector<FitPoint> points;
+namespace {
+
+// Base, elbows and anchors. Where the contact would be tiny beside them, the way to them as far as it is not.
+void add_device(const Settings& settings, std::span<const Vector<2>> goals, std::vector<FitPoint>& points) {
+  constexpr double most_shrunk = 0.36;
+  constexpr double reach = 24.0;  // of a joint
+  if (settings.general.mechanism == MechanismKind::axes) return;
+  const double closest = fitting_scale(points, stage_view_room, greatest_scale);
+  const Vector<2> middle = fitting_center(points, closest);
+  std::vector<Vector<2>> joints;
   for (const Vector<2>& goal : goals) {
-    for (const StageStroke& stroke : stage_strokes(settings, goal, reference_force)) {
-      for (const FitPoint& end : {stroke.from, stroke.to}) {
-        for (const double reach : {-stroke.radius, stroke.radius}) {
-          points.push_back({end.world, end.offset + Vector<2>(reach)});
-        }
+    const LinkagePose pose = nearest_pose(mechanism_of(settings), goal);
+    joints.insert(joints.end(), pose.joints.begin(), pose.joints.begin() + pose.joint_count - 1);
+  }
+  for (double share = 1.0; !joints.empty() && share > 0.0; share -= 0.1) {
+    std::vector<FitPoint> all = points;
+    for (const Vector<2>& joint : joints) {
+      for (const double offset : {-reach, reach}) all.push_back({glm::mix(middle, joint, share), Vector<2>(offset)});
+    }
+    if (fitting_scale(all, stage_view_room, greatest_scale) < most_shrunk * closest) continue;
+    points = std::move(all);
+    return;
+  }
+}
+
+}  // namespace
+
+StageStroke guess_stroke(const Vector<2>& guess) noexcept {
+  constexpr double ring_reach = 40.0;
+  return {{guess}, {guess}, ring_reach};
+}
+
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals, double reference_force,
+                        const std::optional<Vector<2>>& guess) {
+  std::vector<FitPoint> points;
+  const auto add = [&points](const StageStroke& stroke) {
+    for (const FitPoint& end : {stroke.from, stroke.to}) {
+      for (const double reach : {-stroke.radius, stroke.radius}) {
+        points.push_back({end.world, end.offset + Vector<2>(reach)});
       }
     }
+  };
+  for (const Vector<2>& goal : goals) {
+    for (const StageStroke& stroke : stage_strokes(settings, goal, reference_force)) add(stroke);
   }
-  const double scale = fitting_scale(points, stage_view_room, stage_view_width / least_width);
+  if (guess) add(guess_stroke(*guess));
+  add_device(settings, goals, points);
+  const double scale = fitting_scale(points, stage_view_room, greatest_scale);
   return within_scene_limits({.center = fitting_center(points, scale), .width = stage_view_width / scale});
 }
 
@@ -86,9 +123,26 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
   return stage_view_of(settings, std::span(&goal, 1), reference_force_of(settings, goal));
 }
 
+SceneView workspace_view(const Settings& settings) {
+  const GeneralSettings& general = settings.general;
+  const bool is_arm = general.mechanism == MechanismKind::arm;
+  const std::array<Vector<2>, 2> bases =
+      is_arm ? std::array{general.arm.base, general.arm.base} : general.pantograph.bases;
+  const double reach =
+      is_arm ? general.arm.links[0] + general.arm.links[1] : general.pantograph.proximal + general.pantograph.distal;
+  std::vector<FitPoint> points;
+  for (const Vector<2>& base : bases) {
+    for (const double side : {-1.0, 1.0}) points.push_back({base + Vector<2>(side * reach), Vector<2>(0.0)});
+  }
+  const double scale = fitting_scale(points, stage_view_room, greatest_scale);
+  return within_scene_limits({.center = fitting_center(points, scale), .width = stage_view_width / scale});
+}
+
 double reference_force_of(const Settings& settings, const Vector<2>& goal) {
   constexpr double least = 0.1;  // [N]
-  return std::max(least, glm::length(equilibrium_of(StrategyId::naive, settings, goal).force));
+  const auto naive = rest_of(StrategyId::naive, settings, goal);
+  const auto shown = naive ? naive : rest_of(StrategyId::full, settings, goal);
+  return shown ? std::max(least, glm::length(shown->at.force)) : least;
 }
 
 }  // namespace ghostforce

@@ -26,10 +26,17 @@ struct StageStroke {
 // At rest under this goal, with each strategy, so that another one needs no other view.
 std::vector<StageStroke> stage_strokes(const Settings& settings, const Vector<2>& goal, double reference_force);
 
-// The part of the world with all that, under each of these goals.
-SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals, double reference_force);
+// Of a guess where the handle comes to rest.
+StageStroke guess_stroke(const Vector<2>& guess) noexcept;
+
+// The part of the world with all that, under each of these goals, and with a guess.
+SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goals, double reference_force,
+                        const std::optional<Vector<2>>& guess = {});
 // The same where the hand is where the scene has it in the end.
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
+
+// As far as the joints of a device let its handle come.
+SceneView workspace_view(const Settings& settings);
 
 // A force for reference_force: what the naïve device pushes at rest where the scene's hand ends [N].
 double reference_force_of(const Settings& settings, const Vector<2>& goal);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "app/state/mode_changes.h"
+#include "app/state/permit.h"
 
 namespace ghostforce {
 namespace {
@@ -15,7 +16,14 @@ void show_strategy(Session& session) {
 
 template <StageMode mode, StrategyId id>
 void show_stage_mode(Session& session) {
-  if (session.stage.mode != mode) begin_stage_mode(session, mode);
+  if (session.stage.mode == mode) {
+    // It goes on.
+  } else if (const auto refusal = permit(session, ToggleMode{mode})) {
+    leave_stage_mode(session);
+    session.notice = Notice{std::string(stage_language(session.language).refusals.*refusal->words)};
+  } else {
+    begin_stage_mode(session, mode);
+  }
   choose_strategy(session, id, false);
 }
 

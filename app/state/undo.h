@@ -10,6 +10,7 @@
 
 #include "app/state/faces_and_modes.h"
 #include "app/state/measurement.h"
+#include "app/state/stage_language.h"
 #include "core/scene.h"
 
 namespace ghostforce {
@@ -88,5 +89,7 @@ class UndoHistory {
 // What a step of undo changes, in words for the button that takes it: "k_r", "the strategy and the wall's angle",
 // "opening “A wall at 45 degrees”"; never empty.
 std::string words_of_change(const UndoState& before, const UndoState& after);
+// The same in the words of the stage.
+std::string words_of_change(const UndoState& before, const UndoState& after, const StageLanguage& language);
 
 }  // namespace ghostforce

@@ -42,6 +42,10 @@ void wrapped_text(std::string_view words, float end) {
   symbol_text(words, std::max(1.0F, right - ImGui::GetCursorPosX()));
 }
 
+float button_width(const char* words) {
+  return ImGui::CalcTextSize(words).x + 2.0F * ImGui::GetStyle().FramePadding.x;
+}
+
 float letters_for(const std::string& words, ImFont* font, float room, float height) {
   const float width = font->CalcTextSizeA(height, 1e9F, 0.0F, words.c_str()).x;
   return width <= room ? height : height * room / width;

@@ -1,5 +1,5 @@
-// Small pieces that several panels are made of: colours for ImGui, glyphs of strategies, rows of name and slider,
-// explanations on hover.
+// Small pieces that several panels are made of: the look of it all, colours for ImGui, glyphs of strategies, rows of name
+// and slider, explanations on hover.
 #pragma once
 
 #include <string>
@@ -12,8 +12,14 @@
 
 namespace ghostforce {
 
+// Dresses Dear ImGui in a theme at a UI scale.
+void apply_style(const Theme& theme, float scale);
+
 ImU32 packed(Colour colour);
 ImVec4 unpacked(Colour colour);
+
+// How wide a button is that says this.
+float button_width(const char* words);
 
 // Words in another font or colour, or with their symbols and broken where they reach `end` of the window; 0: its right
 // edge.

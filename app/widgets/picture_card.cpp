@@ -23,8 +23,9 @@ void words_in_box(ImFont* font, Colour colour, ImVec2 corner, ImVec2 end, const 
 bool draw_picture_card(const PanelContext& context, const PictureCard& card, ImVec2 size, const CardPicture& picture) {
   const Theme& theme = context.theme;
   const float padding = card_padding * context.scale;
-  const ImVec2 picture_size{std::round(card.picture_width * context.scale),
-                            std::round(card_picture_height * context.scale)};
+  const float picture_height = size.y - 2.0F * padding;
+  const ImVec2 picture_size{std::round(picture_height * card.picture_width / card_picture_height),
+                            std::round(picture_height)};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 end{corner.x + size.x, corner.y + size.y};
   ImGui::PushID(card.id);
@@ -58,7 +59,7 @@ bool draw_picture_card(const PanelContext& context, const PictureCard& card, ImV
   return pressed;
 }
 
-CardRows::CardRows(const PanelContext& context, float card_width, int most_columns, std::size_t count) {
+CardRows::CardRows(const PanelContext& context, float card_width, int most_columns, std::size_t count, float beside) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto most = static_cast<float>(most_columns);
   const float width = dialog_field_width(most * (card_width + 6.0F) + 14.0F, context);
@@ -66,12 +67,18 @@ CardRows::CardRows(const PanelContext& context, float card_width, int most_colum
   columns_ = std::clamp(static_cast<int>(room / (card_width * context.scale)), 1, most_columns);
   const float gap = style.ItemSpacing.y;
   const auto columns = static_cast<float>(columns_);
-  card_ = {std::floor((room - (columns - 1.0F) * gap) / columns),
-           (card_picture_height + 2.0F * card_padding) * context.scale};
   const auto rows = static_cast<float>((static_cast<int>(count) + columns_ - 1) / columns_);
-  // What remains of the window beside the dialog's title, margins, field, buttons and a few lines about a problem.
-  const float rest = ImGui::GetIO().DisplaySize.y - 200.0F * context.scale - 2.0F * gap;
-  size_ = {width, std::max(std::min(rows * (card_.y + gap), rest), card_.y)};
+  // Beside title, margins, field and buttons. Where these are as high as fingers want them, less.
+  const float taller = std::max(0.0F, ImGui::GetFrameHeight() - 1.6F * ImGui::GetFontSize());
+  const float rest = ImGui::GetIO().DisplaySize.y - beside * context.scale - 2.0F * gap - 3.0F * taller;
+  // So that four lines of words fit.
+  const float padding = 2.0F * card_padding * context.scale;
+  const float lowest = 4.0F * ImGui::GetTextLineHeight() + 2.0F + padding;
+  const float usual = card_picture_height * context.scale + padding;
+  const float fitting = std::floor((rest + gap) / rows - gap);
+  card_ = {std::floor((room - (columns - 1.0F) * gap) / columns), fitting < lowest ? usual : std::min(fitting, usual)};
+  const float all = std::ceil(rows * (card_.y + gap) - gap);
+  size_ = {width, all <= rest ? all : std::max(rest, card_.y)};
 }
 
 void CardRows::begin_card(std::size_t number) const {

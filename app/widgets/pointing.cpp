@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "app/picture/screen_box.h"
-#include "core/conventions.h"
 
 namespace ghostforce {
 namespace {

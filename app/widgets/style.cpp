@@ -1,4 +1,3 @@
-#include "app/widgets/style.h"
 
 #include <imgui.h>
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
-#include "app/paint/label_painter.h"
 #include "app/widgets/symbol_text.h"
 
 namespace ghostforce {

@@ -1,10 +1,9 @@
-#include "app/workbench/caption.h"
+#include "app/workbench/bars.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "app/stage/hints.h"

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
-#include <string_view>
+#include <cmath>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "app/widgets/controls.h"
 #include "app/widgets/pointing.h"
@@ -20,7 +23,7 @@ struct Entry {
   bool is_at_the_side = false;
 };
 constexpr std::array dialogs{
-    Entry{Dialog::help, "Help", draw_help},
+    Entry{Dialog::help, "###help", draw_help},
     Entry{Dialog::doctor, "Device status", draw_doctor, true},
     Entry{Dialog::lessons, "###lessons", draw_lessons},
     Entry{Dialog::open_scene, "Open a scene", draw_open_scene},
@@ -39,9 +42,10 @@ constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWind
 constexpr const char* notice_window = "notice";
 
 // Of what speaks the stage's language; the others are called as their entry says.
-std::string_view title_in(const StageLanguage& language, Dialog dialog) {
-  if (dialog == Dialog::lessons) return language.picker.title;
-  return dialog == Dialog::palette ? language.palette.title : std::string_view();
+std::string title_in(const StageLanguage& language, Dialog dialog) {
+  if (dialog == Dialog::lessons) return fmt::format("{}: {}", language.picker.title, language.picker.about);
+  if (dialog == Dialog::help) return std::string(language.help.title);
+  return std::string(dialog == Dialog::palette ? language.palette.title : "");
 }
 
 // The dialog itself, or the part of it that scrolls; null: all of it is in sight.
@@ -78,7 +82,7 @@ bool has_field(Dialog dialog) noexcept {
   return std::ranges::find(without, dialog) == without.end();
 }
 
-void draw_dialog(const PanelContext& context) {
+void draw_dialog(const PanelContext& context, const std::optional<Vector<2>>& hand) {
   const Session& session = context.session;
   Form& form = context.memory.form;
   const auto entry = std::ranges::find(dialogs, session.dialog, &Entry::id);
@@ -89,8 +93,9 @@ void draw_dialog(const PanelContext& context) {
   // Every dialog begins with fields of its own.
   if (form.belongs_to != session.dialog && form.belongs_to != Dialog::none) form = {};
   const ImVec2 whole = ImGui::GetIO().DisplaySize;
-  const float margin = 16.0F * context.scale;
-  const std::string title = std::string(title_in(stage_language(session.language), entry->id)) + entry->title;
+  // Whole points: from parts of one a window that fits its content would have a scroll bar for what is rounded.
+  const float margin = std::round(16.0F * context.scale);
+  const std::string title = title_in(stage_language(session.language), entry->id) + entry->title;
   // Of the bar, or the stage's sentence and buttons, which grow with the window.
   const bool is_on_stage = session.face == Face::stage;
   const float bar = is_on_stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
@@ -98,7 +103,9 @@ void draw_dialog(const PanelContext& context) {
   if (entry->is_at_the_side) {
     // The steps speak of what happens in the scene: it stays out of its way.
     top = bar;
-    ImGui::SetNextWindowPos({whole.x - margin, top}, ImGuiCond_Always, {1.0F, 0.0F});
+    if (form.belongs_to != session.dialog) form.is_at_left = hand && hand->x > 0.5 * static_cast<double>(whole.x);
+    const float side = form.is_at_left ? margin : whole.x - margin;
+    ImGui::SetNextWindowPos({side, top}, ImGuiCond_Always, {form.is_at_left ? 0.0F : 1.0F, 0.0F});
   } else {
     float middle = 0.5F * whole.y;
     // As far as there is room, the stage's button that has opened it stays free, to close it.
@@ -109,15 +116,23 @@ void draw_dialog(const PanelContext& context) {
     ImGui::SetNextWindowPos({0.5F * whole.x, middle}, ImGuiCond_Always, {0.5F, 0.5F});
   }
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - top - margin});
+  // In a window as small as a phone's, where fingers press.
+  constexpr float widest_phone = 500.0F;
+  constexpr float finger = 44.0F;
+  ImVec2 padding = ImGui::GetStyle().FramePadding;
+  if (std::min(whole.x, whole.y) < widest_phone)
+    padding.y = std::max(padding.y, 0.5F * (finger - ImGui::GetFontSize()));
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, 0.75F * margin});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, std::round(0.75F * margin)});
   bool is_open = true;
   ImGui::Begin(title.c_str(), &is_open, dialog_window);
   ImGui::PopStyleVar(3);
   entry->draw(context);
   if (session.dialog != Dialog::none) form.belongs_to = entry->id;
   ImGui::End();
+  ImGui::PopStyleVar();
   if (!is_open) context.apply(CloseDialog{});
 }
 

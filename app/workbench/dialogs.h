@@ -2,6 +2,8 @@
 // fields, and in the end leaves a request in the session.
 #pragma once
 
+#include <optional>
+
 #include "app/picture/screen_box.h"
 #include "app/widgets/panel_context.h"
 
@@ -10,8 +12,9 @@ namespace ghostforce {
 // What is typed is meant for the dialog, even between two fields: keys are no shortcuts.
 bool has_field(Dialog dialog) noexcept;
 
-// The one that session.dialog names, in the middle of the window.
-void draw_dialog(const PanelContext& context);
+// The one that session.dialog names, in the middle of the window; the device's status on the side of the window where
+// the hand is not. `hand`: where in the window that is [points]; empty: on the left.
+void draw_dialog(const PanelContext& context, const std::optional<Vector<2>>& hand);
 
 // Some of what that dialog shows lies beyond its edge.
 bool scrolls(Dialog dialog);

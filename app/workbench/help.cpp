@@ -25,16 +25,23 @@ struct HelpGroup {
 };
 
 // In the order of the keys; the mouse comes first in its group.
-std::vector<HelpGroup> help_groups() {
+std::vector<HelpGroup> help_groups(const StageLanguage& language) {
+  const auto in_language = [&](auto table, std::string_view words) {
+    return counterpart(english_stage.*table, language.*table, words);
+  };
   std::vector<HelpGroup> groups;
   for (const KeyBinding& binding : key_table()) {
     if (!binding.group.empty()) {
-      groups.push_back({binding.group, {}});
+      groups.push_back({in_language(&StageLanguage::key_groups, binding.group), {}});
       for (const MouseGesture& gesture : mouse_table()) {
-        if (gesture.group == binding.group) groups.back().lines.push_back({gesture.shown, gesture.sentence});
+        if (gesture.group != binding.group) continue;
+        groups.back().lines.push_back({in_language(&StageLanguage::mouse_rows, gesture.shown),
+                                       in_language(&StageLanguage::mouse_rows, gesture.sentence)});
       }
     }
-    if (!binding.shown.empty()) groups.back().lines.push_back({binding.shown, binding.sentence});
+    if (binding.shown.empty()) continue;
+    groups.back().lines.push_back(
+        {in_language(&StageLanguage::key_names, binding.shown), sentence_in(language, binding)});
   }
   return groups;
 }
@@ -57,10 +64,6 @@ std::size_t left_groups(std::span<const HelpGroup> groups) {
   }
   return best;
 }
-
-constexpr std::string_view subject =
-    "A hand (the goal) presses a handle (the device) into a virtual wall. The device senses motion in both directions, "
-    "but its motor pushes in only one: that causes the ghost force.";
 
 // [points]
 constexpr float line_gap = 1.5F;     // between lines
@@ -112,7 +115,8 @@ void draw_groups(std::span<const HelpGroup> groups, const ColumnWidths& widths, 
 }  // namespace
 
 void draw_help(const PanelContext& context) {
-  const std::vector<HelpGroup> groups = help_groups();
+  const StageLanguage& language = stage_language(context.session.language);
+  const std::vector<HelpGroup> groups = help_groups(language);
   const std::span<const HelpGroup> all(groups);
   const float room = ImGui::GetIO().DisplaySize.x - 64.0F * context.scale;
   const std::size_t split = left_groups(all);
@@ -122,7 +126,7 @@ void draw_help(const PanelContext& context) {
   const float both =
       widths[0].press + widths[0].sentence + widths[1].press + widths[1].sentence + column_gap * context.scale;
 
-  wrapped_text(subject, ImGui::GetCursorPosX() + std::min(both, room));
+  wrapped_text(language.help.subject, ImGui::GetCursorPosX() + std::min(both, room));
   if (both <= room) {
     const float left = ImGui::GetCursorPosX();
     draw_groups(parts[0], widths[0], context);
@@ -135,7 +139,7 @@ void draw_help(const PanelContext& context) {
     const float sentence = std::max(widths[0].sentence, widths[1].sentence);
     draw_groups(all, {press, std::min(sentence, room - press - ImGui::GetStyle().ScrollbarSize)}, context);
   }
-  text_in(context.theme.faint_text, "On the workbench, rest the pointer on any name or mark to read what it means.");
+  text_in(context.theme.faint_text, language.help.hint);
 }
 
 }  // namespace ghostforce

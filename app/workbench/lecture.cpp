@@ -1,4 +1,4 @@
-#include "app/workbench/lecture.h"
+#include "app/workbench/bars.h"
 
 #include <algorithm>
 #include <string>

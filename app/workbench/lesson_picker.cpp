@@ -1,7 +1,6 @@
 // F5: the lessons that come with the program, with a picture of each, what it is about and how far one has come. The
 // keyboard is at the lesson to begin with; arrows and Tab move it, Enter begins.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -9,6 +8,7 @@
 #include "app/files/file_exchange.h"
 #include "app/stage/lesson_content.h"
 #include "app/state/lesson_file.h"
+#include "app/state/lesson_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/picture_card.h"
 #include "app/workbench/dialogs.h"
@@ -19,29 +19,11 @@ namespace {
 // [points]
 constexpr double lesson_mark_scale = 0.5;  // of lines and marks in the small pictures
 constexpr float lesson_picture_width = 150.0F;
-constexpr float lesson_card_width = 420.0F;
+constexpr float lesson_card_width = 456.0F;
+constexpr float beside_cards = 130.0F;  // title, a row of buttons and margins
 
-// What is known of a lesson, in words.
-std::string progress_words(const Lesson& lesson, const LessonProgress& progress, const StageLanguage::Picker& words) {
-  const auto found = progress.lessons.find(progress_key(lesson));
-  if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
-  const LessonRecord& record = found->second;
-  // How many there are is not said: an answer that was asked for is no wrong one.
-  const auto right =
-      std::ranges::count_if(lesson.steps, [&](const LessonStep& step) { return record.right.contains(step.name); });
-  const std::string score = right == 0 ? "" : " · " + filled(words.right, right);
-  if (record.is_finished) return std::string(words.done) + score;
-  return filled(words.step, std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size()) + score;
-}
-
-// Where somebody goes on: the first lesson that is not done.
-std::size_t lesson_to_begin(const Session& session) {
-  const auto& lessons = shipped_lessons();
-  for (std::size_t i = 0; i < lessons.size(); ++i) {
-    const auto found = session.lesson_progress.lessons.find(progress_key(*lessons[i]));
-    if (found == session.lesson_progress.lessons.end() || !found->second.is_finished) return i;
-  }
-  return 0;
+std::string numbered_title(const Session& session, std::size_t lesson) {
+  return fmt::format("{}. {}", lesson + 1, words_in(*shipped_lessons()[lesson], session.language).title);
 }
 
 void draw_reset(const PanelContext& context, const StageLanguage::Picker& words) {
@@ -68,10 +50,10 @@ void draw_lessons(const PanelContext& context) {
   Form& form = context.memory.form;
   const StageLanguage::Picker& said = stage_language(session.language).picker;
   const bool is_new = form.belongs_to != Dialog::lessons;
-  if (is_new) form.marked_lesson = lesson_to_begin(session);
+  if (is_new) form.marked_lesson = lesson_to_go_on_with(session);
   const auto& lessons = shipped_lessons();
   const ImGuiStyle& style = ImGui::GetStyle();
-  const CardRows rows(context, lesson_card_width, 2, lessons.size());
+  const CardRows rows(context, lesson_card_width, 2, lessons.size(), beside_cards);
   ImGui::BeginChild("lessons", rows.size(), ImGuiChildFlags_NavFlattened);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {style.ItemSpacing.y, style.ItemSpacing.y});
   for (std::size_t i = 0; i < lessons.size(); ++i) {
@@ -93,7 +75,7 @@ void draw_lessons(const PanelContext& context) {
       });
     };
     const PictureCard card{.id = static_cast<int>(i),
-                           .title = fmt::format("{}. {}", i + 1, words.title),
+                           .title = numbered_title(session, i),
                            .about = words.about,
                            .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
@@ -102,7 +84,14 @@ void draw_lessons(const PanelContext& context) {
   }
   ImGui::PopStyleVar();
   ImGui::EndChild();
-  wrapped_text(said.about, ImGui::GetCursorPosX() + rows.size().x);
+  if (!session.lesson_gone_through.empty()) {
+    // One leads on to another.
+    const std::size_t next = lesson_to_go_on_with(session);
+    if (ImGui::Button(filled(said.next, numbered_title(session, next)).c_str())) {
+      context.apply(OpenLesson{lessons[next]->name});
+    }
+    ImGui::SameLine();
+  }
   if (session.lesson_progress != LessonProgress{}) {
     draw_reset(context, said);
     ImGui::SameLine();
@@ -115,6 +104,7 @@ void draw_lessons(const PanelContext& context) {
     ImGui::SameLine();
   }
   if (ImGui::Button(said.close.data())) context.apply(CloseDialog{});
+  same_line_if_room(12.0F * ImGui::GetFontSize());  // for both languages
   draw_language_choice(context);
 }
 

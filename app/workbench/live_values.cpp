@@ -140,8 +140,7 @@ float size_that_fits(const PanelContext& context) {
 
 void draw_copy_button(const PanelContext& context, float top) {
   const char* const copy = "Copy";
-  const float copy_x =
-      ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(copy).x - 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float copy_x = ImGui::GetContentRegionMax().x - button_width(copy);
   if (ImGui::GetItemRectMax().x < ImGui::GetWindowPos().x + copy_x) {
     ImGui::SameLine();
     ImGui::SetCursorPosY(top);

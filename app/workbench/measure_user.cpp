@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "app/picture/text.h"
@@ -26,7 +25,7 @@ void draw_invitation(const PanelContext& context) {
       "Chooses the anisotropic strategy and a wrong ratio, and hides what would give the answer away. Afterwards, "
       "strategy and ratio are restored.");
   const char* const on_stage = "On the stage   S";
-  same_line_if_room(ImGui::CalcTextSize(on_stage).x + 2.0F * ImGui::GetStyle().FramePadding.x);
+  same_line_if_room(button_width(on_stage));
   if (ImGui::Button(on_stage)) context.apply(MeasureHand{});
   tooltip(english_stage.modes.measure.about);
 }
@@ -158,17 +157,14 @@ void draw_result(const PanelContext& context) {
     return;
   }
   tooltip("The renderer uses this k_u from now on.");
-  const auto same_line_for = [](const char* words) {
-    same_line_if_room(ImGui::CalcTextSize(words).x + 2.0F * ImGui::GetStyle().FramePadding.x);
-  };
   const char* const again = "Measure again";
-  same_line_for(again);
+  same_line_if_room(button_width(again));
   if (ImGui::Button(again)) {
     context.apply(StartMeasuring{});
     return;
   }
   const char* const close = "Close";
-  same_line_for(close);
+  same_line_if_room(button_width(close));
   if (ImGui::Button(close)) context.apply(CancelMeasuring{});
 }
 

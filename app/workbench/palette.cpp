@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -11,13 +10,12 @@
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
 #include "app/workbench/dialogs.h"
-#include "app/workbench/recording.h"
+#include "app/workbench/panel_catalog.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr float palette_width = 620.0F;  // [points]
-constexpr float most_rows = 14.0F;
+constexpr float palette_width = 620.0F;    // [points]
 constexpr float rest_of_palette = 170.0F;  // title, field, sentence and margins [points]
 constexpr float lines_of_refusal = 2.0F;
 
@@ -77,7 +75,7 @@ std::size_t draw_found(const PanelContext& context, const std::vector<PaletteEnt
   std::size_t& mark = context.memory.form.marked_action;
   const float row = ImGui::GetFrameHeight();
   const float room = ImGui::GetIO().DisplaySize.y - rest_of_palette * context.scale;
-  const float height = row * std::clamp(std::floor(room / row), 1.0F, most_rows);
+  const float height = std::max(row, std::floor(room));
   std::size_t pressed = found.size();
   ImGui::BeginChild("found", {width, height}, ImGuiChildFlags_None, ImGuiWindowFlags_NoNav);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0.0F, 0.0F});

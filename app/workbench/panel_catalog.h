@@ -2,6 +2,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "app/widgets/panel_context.h"
@@ -26,10 +27,12 @@ void draw_input(const PanelContext& context);
 void draw_view_options(const PanelContext& context);
 void draw_recording(const PanelContext& context);
 
-// Above and below the scene.
-void draw_strategy_bar(const PanelContext& context);
-void draw_status_bar(const PanelContext& context, bool has_caption);
-// Of the bar above, in points: two rows where the window is too narrow for one.
-float strategy_bar_height(const PanelContext& context);
+// --- What the record button and the recording panel share ---
+
+// Begins a recording under the name in the panel's field, or else under a proposed one; or ends the one that is made.
+void toggle_recording(const PanelContext& context);
+
+// How long it is, how large, and what it has lost.
+std::string words_about(const RecordingReading& recording);
 
 }  // namespace ghostforce

@@ -14,9 +14,9 @@
 #include "app/picture/chart.h"
 #include "app/picture/text.h"
 #include "app/state/scene_view.h"
-#include "app/widgets/save_path.h"
 #include "app/workbench/equilibrium_curves.h"
 #include "app/workbench/ratio_dial.h"
+#include "app/workbench/save_path.h"
 #include "core/conventions.h"
 
 namespace ghostforce {
@@ -199,7 +199,7 @@ Export over_setting(const EquilibriumCurves& curves, const SweptSetting& setting
 }
 
 Export export_of(const Session& session, const ShownMoment& moment, const History& history, bool whole_history) {
-  const Theme& theme = *session.appearance.theme;
+  const Theme& theme = shown_theme(session);
   const Settings& settings = moment.settings;
   const EquilibriumQuestion question = equilibrium_question(settings, moment.snapshot);
   const double from_s = whole_history ? history.plots().oldest_s() : session.plots.from_s;
@@ -239,7 +239,7 @@ Export export_of(const Session& session, const ShownMoment& moment, const Histor
 
 std::string picture_of(const std::vector<Chart>& charts, const Session& session, const std::string& path,
                        const FilePainter& painter) {
-  const Theme& theme = *session.appearance.theme;
+  const Theme& theme = shown_theme(session);
   std::vector<Pane> panes;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     const Vector<2> place(static_cast<double>(i % charts_in_a_row), static_cast<double>(i / charts_in_a_row));

@@ -14,7 +14,7 @@
 
 namespace ghostforce {
 
-// Sets ImPlot's style; together with apply_style() of app/widgets/style.h.
+// Sets ImPlot's style; together with apply_style() of app/widgets/controls.h.
 void apply_plot_style(const Theme& theme, float scale);
 
 inline constexpr ImPlotFlags quiet_plot = ImPlotFlags_CanvasOnly | ImPlotFlags_NoFrame;

@@ -1,18 +1,16 @@
 // The recording: to which file, how far it is, and what it has lost; and how evenly the loop ticks that it is of.
-#include "app/workbench/recording.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "app/files/file_exchange.h"
 #include "app/widgets/controls.h"
-#include "app/widgets/save_path.h"
 #include "app/workbench/panel_catalog.h"
 #include "app/workbench/plot_pieces.h"
+#include "app/workbench/save_path.h"
 
 namespace ghostforce {
 namespace {

@@ -18,7 +18,7 @@ namespace {
 // One button in one place, whatever the state.
 void draw_switch(const PanelContext& context) {
   const bool is_on = context.session.circle_test.is_on;
-  const float width = ImGui::CalcTextSize("Go round and round").x + 2.0F * ImGui::GetStyle().FramePadding.x;
+  const float width = button_width("Go round and round");
   if (ImGui::Button(is_on ? "Stop###circle" : "Go round and round###circle", {width, 0.0F})) {
     context.apply(is_on ? Action(EndCircleTest{}) : BeginCircleTest{});
   }

@@ -11,8 +11,8 @@
 #include "app/state/front_keys.h"
 #include "app/state/session.h"
 #include "app/widgets/controls.h"
-#include "app/widgets/save_path.h"
 #include "app/workbench/dialogs.h"
+#include "app/workbench/save_path.h"
 
 namespace ghostforce {
 namespace {

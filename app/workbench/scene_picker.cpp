@@ -1,7 +1,6 @@
 // Ctrl+O: the shipped scenes with a picture of each, and a field for the path of any other. The field has the keyboard:
 // the arrows move a mark from scene to scene, Enter opens what is typed, or else what is marked.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include <fmt/format.h>
@@ -113,9 +112,6 @@ void draw_open_scene(const PanelContext& context) {
   const char* const open_words = "Open";
   const char* const cancel_words = "Cancel";
   const char* const choose_words = "Open a file…";
-  const auto button_width = [&](const char* words) {
-    return ImGui::CalcTextSize(words).x + 2.0F * style.FramePadding.x;
-  };
   float field_width = width - button_width(open_words) - button_width(cancel_words) - 2.0F * style.ItemSpacing.x;
   if (offers_file_chooser()) field_width -= button_width(choose_words) + style.ItemSpacing.x;
   ImGui::SetNextItemWidth(field_width);

@@ -1,12 +1,9 @@
 // The bar at the bottom: who moves the goal, and which scene; what is not as it should be, and what to do about it; and
 // the ways to other scenes and to files. Above it, why watched shaders do not compile.
-#include "app/workbench/status_bar.h"
 
 #include <algorithm>
 #include <iterator>
-#include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,7 +13,7 @@
 #include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
-#include "app/workbench/caption.h"
+#include "app/workbench/bars.h"
 #include "app/workbench/dialogs.h"
 #include "app/workbench/panel_catalog.h"
 
@@ -118,7 +115,7 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const LoopReading& loop = context.loop;
   const ImGuiStyle& style = ImGui::GetStyle();
   const auto width = [](const std::string& text) { return symbol_text_width(text); };
-  const auto button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
+  const auto symbol_button_width = [&](const std::string& text) { return width(text) + 2.0F * style.FramePadding.x; };
   // On motors they are felt, and whoever holds the handle must not take them for the wall.
   const bool tones_are_felt = loop.hand.tone_gain > 0.0 && loop.motors.state != SafetyState::off;
   const std::string replay = replay_words(loop, english_stage);
@@ -134,10 +131,10 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
   const char* const save = "Save  ▾";
   const float spacing = style.ItemSpacing.x;
   const float left = ImGui::GetCursorPosX();
-  const float save_x = ImGui::GetContentRegionMax().x - button_width(help) - spacing - button_width(save);
-  const float for_scene = save_x - 2.0F * spacing - left - width(words) - width(problem) - button_width("");
+  const float save_x = ImGui::GetContentRegionMax().x - symbol_button_width(help) - spacing - symbol_button_width(save);
+  const float for_scene = save_x - 2.0F * spacing - left - width(words) - width(problem) - symbol_button_width("");
   const std::string title = shortened(session.scene->title, std::max(for_scene, 7.0F * ImGui::GetFontSize()));
-  const float scene_x = save_x - spacing - button_width(title);
+  const float scene_x = save_x - spacing - symbol_button_width(title);
   const float room = scene_x - spacing - left;
 
   ImGui::SetCursorPosY(0.5F * (ImGui::GetWindowHeight() - ImGui::GetFrameHeight()));
@@ -159,7 +156,7 @@ void draw_status_bar(const PanelContext& context, bool has_caption) {
                   "“Recording” shows how far apart they are.{}{}",
                   loop.rate_hz, loop.late_ticks, problems.empty() ? "" : "\n", fmt::join(problems, "\n")));
   ImGui::SameLine(scene_x);
-  const bool opens_scene = ImGui::Button("###scene", {button_width(title), 0.0F});
+  const bool opens_scene = ImGui::Button("###scene", {symbol_button_width(title), 0.0F});
   const ImVec2 corner = ImGui::GetItemRectMin();
   draw_symbol_text(*ImGui::GetWindowDrawList(), {corner.x + style.FramePadding.x, corner.y + style.FramePadding.y},
                    ImGui::GetColorU32(ImGuiCol_Text), title);

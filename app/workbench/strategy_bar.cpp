@@ -9,9 +9,9 @@
 
 #include "app/stage/hints.h"
 #include "app/widgets/controls.h"
+#include "app/workbench/bars.h"
 #include "app/workbench/motor_control.h"
 #include "app/workbench/panel_catalog.h"
-#include "app/workbench/recording.h"
 
 namespace ghostforce {
 namespace {
@@ -125,7 +125,7 @@ struct Bar {
     const float words_width = context.fonts.bold->CalcTextSizeA(letters(), 1e9F, 0.0F, words.c_str()).x;
     return words_width + (1.5F + 2.6F * 0.4F + sizes.pad) * letters();
   }
-  float stage_width() const { return ImGui::CalcTextSize(stage_words).x + 2.0F * ImGui::GetStyle().FramePadding.x; }
+  float stage_width() const { return button_width(stage_words); }
 
   // Strategies and comparison; then time, what is taken back, and the way to the stage.
   float choices_width() const {

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -47,6 +48,22 @@ void draw_scale_choice(const PanelContext& context, const char* id, double Appea
   ImGui::PopID();
 }
 
+void draw_motion_choice(const PanelContext& context) {
+  struct Choice {
+    ScreenMotion motion;
+    const char* words;
+  };
+  constexpr std::array choices{Choice{ScreenMotion::as_system, "as the system"}, Choice{ScreenMotion::full, "full"},
+                               Choice{ScreenMotion::reduced, "reduced"}};
+  for (const Choice& choice : choices) {
+    const float width = ImGui::GetFrameHeightWithSpacing() + ImGui::CalcTextSize(choice.words).x;
+    if (&choice != choices.data()) same_line_if_room(width);
+    if (ImGui::RadioButton(choice.words, context.session.motion == choice.motion)) {
+      context.apply(ChangeMotion{choice.motion});
+    }
+  }
+}
+
 }  // namespace
 
 void draw_view_options(const PanelContext& context) {
@@ -70,6 +87,10 @@ void draw_view_options(const PanelContext& context) {
   row("Arrows", "The length of the force arrows, 25 to 400 %. The scale bar shows how long a force is drawn.");
   draw_scale_choice(context, "arrows", &Appearance::arrow_scale, Appearance::least_arrow_scale,
                     Appearance::greatest_arrow_scale);
+  row("Motion",
+      "Reduced: the stage changes at once, and shows nothing by itself while nobody does anything. The simulation goes "
+      "on. As the system: what its settings say about animations.");
+  draw_motion_choice(context);
   row("Language", "The language of the stage, of lessons and of Ctrl+P. The workbench is in English.");
   draw_language_choice(context);
   if (session.offers_audience) {
@@ -106,7 +127,8 @@ void draw_reset_preferences(const PanelContext& context) {
   const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
   wrapped_text(
       "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
-      "theme, sizes, view, plots, panels, speed, SpaceMouse, language, speech, hints, window. The scene and its "
+      "theme, sizes, motion, view, plots, panels, speed, SpaceMouse, language, speech, hints, window. The scene and "
+      "its "
       "settings stay as "
       "they are.",
       ImGui::GetCursorPosX() + width);

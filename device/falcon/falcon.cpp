@@ -1,7 +1,6 @@
 #include "device/falcon/falcon.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <utility>

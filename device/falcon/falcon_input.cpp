@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 
 #include "core/scene.h"

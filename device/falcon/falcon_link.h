@@ -99,7 +99,7 @@ class FalconLink {
   virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool owes_stop() const noexcept = 0;
 
-  // Whether somebody stops the motors when this program cannot: a guard (device/motor_guard/motor_guard.h), to which
+  // Whether somebody stops the motors when this program cannot: a guard (device/falcon_usb/motor_guard.h), to which
   // wait_until() tells that the program lives. Without it motors must stay off. A link that ends with the program needs
   // none.
   virtual bool is_guarded() const noexcept { return true; }

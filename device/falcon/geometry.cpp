@@ -2,8 +2,6 @@
 
 #include <numbers>
 
-#include "core/conventions.h"
-
 namespace ghostforce {
 namespace {
 

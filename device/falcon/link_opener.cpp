@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cassert>
-#include <cstdint>
 #include <semaphore>
 #include <thread>
 #include <utility>

@@ -1,7 +1,5 @@
 #include "device/falcon/link_script.h"
 
-#include <array>
-
 #include "device/falcon/frame.h"
 
 namespace ghostforce {

@@ -1,7 +1,6 @@
 #include "device/falcon_usb/ftdi_link.h"
 
 #include <algorithm>
-#include <utility>
 
 #include <libusb.h>
 #include <time.h>
@@ -9,7 +8,6 @@
 #include "device/falcon/emergency_stop.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/link_setup.h"
-#include "device/falcon/stop_debts.h"
 
 namespace ghostforce {
 namespace {

@@ -18,10 +18,10 @@
 
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/stop_debts.h"
+#include "device/falcon_usb/motor_guard.h"
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/motor_guard.h"
 
 struct libusb_transfer;
 

@@ -13,8 +13,8 @@
 #include <libusb.h>
 #include <sys/stat.h>
 
+#include "device/falcon_usb/usb_node.h"
 #include "device/input/monotonic_clock.h"
-#include "device/motor_guard/usb_node.h"
 
 namespace ghostforce {
 namespace {

@@ -6,8 +6,10 @@
 
 #include <cstdint>
 
+#include "core/goal_path.h"
 #include "core/latest_value.h"
 #include "core/loop_energy.h"
+#include "core/tick.h"
 #include "device/input/input.h"
 
 namespace ghostforce {
@@ -19,8 +21,19 @@ class CircleInput final : public Input {
   // Another circle, from the next restart on.
   void go_round(const Circle& circle) noexcept { circles_.publish(circle); }
 
-  void restart(const Vector<2>& goal) noexcept override;
-  Vector<2> goal(std::int64_t tick, double rate) noexcept override;
+  void restart(const Vector<2>& goal) noexcept override {
+    circle_ = circles_.latest();
+    start_ = goal;
+  }
+
+  Vector<2> goal(std::int64_t tick, double rate) noexcept override {
+    const double time_s = time_of(tick, rate);
+    const Vector<2> on_circle = position_on(circle_, time_s - circle_begins_s);
+    if (time_s >= circle_begins_s) return on_circle;
+    // Towards where the circle would be by now: at its beginning the goal has the circle's place and speed.
+    const double share = minimum_jerk(time_s / circle_begins_s);
+    return start_ + share * (on_circle - start_);
+  }
 
  private:
   LatestValue<Circle> circles_;

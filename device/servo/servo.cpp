@@ -40,7 +40,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
     : input_(std::move(input)),
       device_(input_->haptic_device()),
       commands_(initial),
-      settings_(initial.settings),
+      settings_(without_idle_general(initial.settings)),
       paused_(initial.paused),
       seen_generation_(initial.settings_generation),
       seen_restarts_(initial.restarts_asked),
@@ -53,7 +53,7 @@ Servo::Servo(std::unique_ptr<Input> input, const ServoCommand& initial)
       seen_departures_(initial.departures),
       seen_acknowledgements_(initial.acknowledgements),
       seen_heartbeats_(initial.heartbeats) {
-  if (!is_in_range(initial.settings) || !is_usable_speed(initial.speed) || !is_usable_tone(initial.tone_force) ||
+  if (!may_use(initial.settings) || !is_usable_speed(initial.speed) || !is_usable_tone(initial.tone_force) ||
       has_diverged(initial.restart_state)) {
     throw std::invalid_argument("a servo cannot start with settings, a speed, a tone or a state out of range");
   }
@@ -165,6 +165,7 @@ void Servo::update(bool tick_is_due) noexcept {
   // New settings show with the next tick: the old state under new settings is a state that never was.
   if (is_new_state) {
     take_snapshot(coefficients_, state_, report_.snapshot);
+    if (coefficients_.general) report_.contacts = contact_readings_of(state_);
     const bool has_estimate = measure_hand();
     publish_sample();
     // From the next tick on: this one's sample tells the belief that it was made with.
@@ -185,11 +186,11 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   Sample* const slot = ring.slot();
   if (slot == nullptr) return false;
   // All of them, by name: what the ring has there is an older sample.
-  auto& [snapshot, velocity, settings, serial, restarts, recording, since_before_s, sent, is_saturated, tone, hand] =
-      *slot;
+  auto& [snapshot, velocity, serial, restarts, recording, since_before_s, sent, is_saturated, tone, hand, settings,
+         contacts] = *slot;
   copy_whole(report_.snapshot, snapshot);
   for (std::size_t i = 0; i < strategy_count; ++i) velocity[i] = state_.strategies[i].motion.velocity;
-  settings = limited_settings_;
+  copy_settings(limited_settings_, settings);
   serial = samples_made_;
   restarts = report_.restarts;
   recording = recording_;
@@ -198,14 +199,15 @@ bool Servo::put_sample(double loop_s, SampleRing& ring) const noexcept {
   is_saturated = report_.motors.is_saturated;
   tone = tone_;
   hand = report_.hand;
+  if (coefficients_.general) contacts = report_.contacts;
   ring.push();
   return true;
 }
 
 // What the active strategy's force would be with the device there, at the handle [N].
 Vector<2> Servo::force_at(const Vector<2>& handle) const noexcept {
-  const auto& active = coefficients_.strategies[index_of(settings_.active)];
-  const Vector<2> proxy = proxy_of(handle, coefficients_.wall, active.proxy_gain).position;
+  const auto& active = coefficients_.paper.strategies[index_of(settings_.active)];
+  const Vector<2> proxy = proxy_of(handle, coefficients_.paper.wall, active.proxy_gain).position;
   return device_->force_at_handle() * rendered_force<2>(active, proxy, handle);
 }
 
@@ -213,7 +215,7 @@ void Servo::watch_handle() noexcept {
   const std::int64_t now = device_->now_ns();
   const auto since = [now](std::int64_t then) { return static_cast<double>(now - then) * 1e-9; };
   handle_ = device_->read();
-  const bool is_outside = handle_.is_known && depth(coefficients_.wall, handle_.position) <= 0.0;
+  const bool is_outside = handle_.is_known && depth(coefficients_.paper.wall, handle_.position) <= 0.0;
   safety_.update({.trouble = handle_.trouble,
                   .device_is_ready = handle_.is_ready && handle_.is_known,
                   .loop_is_healthy = handle_.is_healthy,
@@ -340,13 +342,18 @@ void Servo::update_coefficients(Change change) noexcept {
   limited_settings_ = settings_;
   double& k_r = limited_settings_.stiffnesses.k_r;
   if (coefficients_are_for_motors_) k_r = std::min(k_r, safety_options_.greatest_k_r);
-  coefficients_ = coefficients_of(limited_settings_);
+  coefficients_ = loop_coefficients_of(limited_settings_);
   motor_axis_ = direction_at(settings_.actuated_angle);
   if (comes_on) {
     limiter_.reset();
   } else if (change == Change::leads_over) {
     limiter_.cross_fade();
   }
+}
+
+// Forces of general scenes go to no motors.
+bool Servo::may_use(const Settings& settings) const noexcept {
+  return is_in_range(settings) && (device_ == nullptr || !is_general(settings));
 }
 
 void Servo::apply_command(const ServoCommand& command) noexcept {
@@ -363,7 +370,7 @@ void Servo::apply_command(const ServoCommand& command) noexcept {
   // Following ends before new settings are used, so that their belief counts, and begins after them, from their belief.
   if (!command.belief_follows_hand) follower_.reset();
   if (std::exchange(seen_generation_, command.settings_generation) != command.settings_generation) {
-    heed(is_in_range(command.settings), [&] { use(command.settings, command.settings_generation); });
+    heed(may_use(command.settings), [&] { use(command.settings, command.settings_generation); });
   }
   if (command.belief_follows_hand && !follower_) begin_following();
   if (std::exchange(seen_restarts_, command.restarts_asked) != command.restarts_asked) {
@@ -411,12 +418,12 @@ void Servo::restart_from(const TickState<2>& state, std::uint32_t restarts) noex
 
 void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   // Model time goes on: t_k is k/rate, so another rate is another k.
-  if (coefficients_.rate != settings.rate) {
-    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate) * settings.rate);
+  if (coefficients_.rate() != settings.rate) {
+    state_.tick = std::llround(time_of(state_.tick, coefficients_.rate()) * settings.rate);
     measurement_.use_rate(settings.rate);
   }
   const double believed = believed_user_stiffness(settings_.stiffnesses);
-  settings_ = settings;
+  settings_ = without_idle_general(settings);
   if (follower_) {
     settings_.stiffnesses.believed_k_u = believed;
     settings_.stiffnesses.chosen_tracking_ratio.reset();
@@ -437,7 +444,7 @@ bool Servo::takes_tick(bool tick_is_due) noexcept {
 
 bool Servo::advance() noexcept {
   if (report_.diverged) return false;
-  if (const auto k_u = input_->user_stiffness(state_.tick + 1, coefficients_.rate)) {
+  if (const auto k_u = input_->user_stiffness(state_.tick + 1, coefficients_.rate())) {
     set_user_stiffness(coefficients_, *k_u);
   }
   TickState<2> next = state_;
@@ -445,17 +452,18 @@ bool Servo::advance() noexcept {
     const std::int64_t gap_ns = handle_.time_ns - std::exchange(measured_ns_, handle_.time_ns);
     const double gap_s = static_cast<double>(gap_ns) * 1e-9;
     if (gap_s > Safety::longest_exchange_s) next.measured.reset();
-    if (gap_s > longest_gap_periods / coefficients_.rate) measurement_.interrupt(HandUnknown::damaged);
+    if (gap_s > longest_gap_periods / coefficients_.rate()) measurement_.interrupt(HandUnknown::damaged);
     // In front of the wall, where tones fade away, the goal is where the handle is. A probe is too short to move it.
     const Vector<2> added = handle_.probe + (report_.motors.is_outside_wall ? tone_ : Vector<2>(0.0));
     const Vector<2> force = report_.motors.sent - added;
-    tick_with_device(coefficients_, settings_.active, handle_.position, force / device_->force_at_handle(),
+    tick_with_device(coefficients_.paper, settings_.active, handle_.position, force / device_->force_at_handle(),
                      believed_user_stiffness(settings_.stiffnesses), next,
-                     measurement_.is_sounding() ? goal_share_with_tones(coefficients_.rate) : 1.0);
+                     measurement_.is_sounding() ? goal_share_with_tones(coefficients_.rate()) : 1.0);
   } else {
-    tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate), next);
+    tick(coefficients_, input_->goal(state_.tick + 1, coefficients_.rate()), next);
     // Without its motors nothing measures the hand at a device, and the simulated one beside it is not meant.
-    tone_ = sound_tones(device_ == nullptr, next.strategies[index_of(settings_.active)].in_contact);
+    tone_ = sound_tones(device_ == nullptr && !coefficients_.general,
+                        next.strategies[index_of(settings_.active)].in_contact);
   }
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const bool is_shaken = !safety_.is_armed() && i == index_of(settings_.active);
@@ -469,7 +477,7 @@ bool Servo::advance() noexcept {
 
 double Servo::period_s() const noexcept {
   const double speed = safety_.is_armed() ? 1.0 : speed_;
-  return std::max(1.0 / (coefficients_.rate * speed), shortest_period_s);
+  return std::max(1.0 / (coefficients_.rate() * speed), shortest_period_s);
 }
 
 }  // namespace ghostforce

@@ -5,6 +5,9 @@
 // called the servo thread here, or whoever draws, before each frame. Tests call step() by hand instead, so that no time
 // has to pass. While it ticks our code never allocates, locks, logs, throws, opens files or frees. SI units. Functions
 // without a word about threads belong to the UI thread.
+//
+// A general scene (general_tick.h) is ticked by its own loop, whatever moves the goal. Its forces go to no motors, and
+// no tones measure its hand: a servo with a device refuses such settings.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +18,7 @@
 
 #include "core/belief.h"
 #include "core/force_limiter.h"
+#include "core/general_tick.h"
 #include "core/hand_measurement.h"
 #include "core/latest_value.h"
 #include "core/measuring_tones.h"
@@ -86,6 +90,7 @@ struct ServoReport {
   MotorReport motors;
   HandReading hand;
   RealtimeStatus realtime;
+  ContactReadings contacts;  // of the newest tick, in general scenes
 };
 static_assert(std::is_trivially_copyable_v<ServoReport>);
 
@@ -93,7 +98,6 @@ static_assert(std::is_trivially_copyable_v<ServoReport>);
 struct Sample {
   Snapshot snapshot;
   PerStrategy<Vector<2>> velocity{};  // v of each device [m/s]
-  Settings settings;                  // in use; on motors k_r may be lower than asked for
   std::uint64_t serial = 0;           // one more for each sample, so that a gap shows
   std::uint32_t restarts = 0;
   std::uint32_t recording = 0;  // ServoCommand's
@@ -104,6 +108,10 @@ struct Sample {
   // force of the simulated one.
   Vector<2> tone{0.0};
   HandReading hand;
+  Settings settings;  // in use; on motors k_r may be lower than asked for
+  // In general scenes; in others it means nothing. Last, after what of the settings means nothing either: a tick of the
+  // paper's scenes leaves the end of a sample as it was.
+  ContactReadings contacts;
 };
 static_assert(std::is_trivially_copyable_v<Sample>);
 
@@ -111,6 +119,7 @@ class Servo {
  public:
   // Samples that wait for take_sample() or take_record() at most; over 8 s at 1 kHz.
   static constexpr std::size_t sample_capacity = 8192;
+  using SampleRing = Ring<Sample, sample_capacity>;
   // `speed` is held between these.
   static constexpr double slowest = 0.001;
   static constexpr double fastest = 10.0;
@@ -172,8 +181,6 @@ class Servo {
   void shut_down() noexcept;
 
  private:
-  using SampleRing = Ring<Sample, sample_capacity>;
-
   std::optional<std::int64_t> wake_at(std::int64_t now_ns) noexcept;
   void count_period(bool is_late) noexcept;
   void update(bool tick_is_due) noexcept;
@@ -192,6 +199,7 @@ class Servo {
   void restart_from(const TickState<2>& state, std::uint32_t restarts) noexcept;
   void publish_sample() noexcept;
   bool put_sample(double loop_s, SampleRing& ring) const noexcept;
+  bool may_use(const Settings& settings) const noexcept;
   void use(const Settings& settings, std::uint32_t generation) noexcept;
   bool takes_tick(bool tick_is_due) noexcept;
   bool advance() noexcept;
@@ -210,7 +218,7 @@ class Servo {
   Settings settings_;
   Settings limited_settings_;  // what the coefficients are worked out from: on motors k_r may be held lower
   Vector<2> motor_axis_{0.0};  // worked out with them: a sine and a cosine take longer than a tick
-  TickCoefficients<2> coefficients_{};
+  LoopCoefficients coefficients_{};
   bool coefficients_are_for_motors_ = false;  // made for motors that are on
   TickState<2> state_;
   bool is_at_start_ = true;  // the state has not been recorded yet

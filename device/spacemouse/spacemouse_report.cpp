@@ -1,7 +1,6 @@
 #include "device/spacemouse/spacemouse_report.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace ghostforce {
 namespace {

@@ -8,7 +8,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 
 #include "core/conventions.h"
 #include "device/falcon/calibration.h"

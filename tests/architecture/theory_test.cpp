@@ -38,11 +38,17 @@ bool is_path(const std::string& span) {
   return std::regex_match(span, path);
 }
 
-// Suite.Name is a test; anything else is a word of the file.
+// Suite.Name
+const std::regex test_name("([A-Z][A-Za-z0-9]*)\\.([A-Z][A-Za-z0-9]*)");
+
+bool is_test(const std::string& span) {
+  return std::regex_match(span, test_name);
+}
+
+// A test, or a word of the file.
 bool is_named_in(const std::string& text, const std::string& name) {
-  static const std::regex test("([A-Z][A-Za-z0-9]*)\\.([A-Z][A-Za-z0-9]*)");
   std::smatch match;
-  if (std::regex_match(name, match, test)) {
+  if (std::regex_match(name, match, test_name)) {
     return std::regex_search(text, std::regex("TEST\\w*\\(\\s*" + match[1].str() + ",\\s*" + match[2].str() + "\\)"));
   }
   return std::regex_search(text, std::regex("\\b" + name + "\\b"));
@@ -71,6 +77,20 @@ std::vector<std::string> missing_in(const std::string& line) {
     }
   }
   return missing;
+}
+
+// Suite.Name of every test in the folder.
+std::set<std::string> tests_in(const std::filesystem::path& folder) {
+  static const std::regex test("TEST\\w*\\(\\s*(\\w+),\\s*(\\w+)\\)");
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder)) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = text_of(entry.path());
+    for (std::sregex_iterator i(text.begin(), text.end(), test), end; i != end; ++i) {
+      names.insert((*i)[1].str() + '.' + (*i)[2].str());
+    }
+  }
+  return names;
 }
 
 std::vector<std::string> theory_lines() {
@@ -115,6 +135,41 @@ TEST(TheoryTest, NamesFilesFunctionsAndTestsThatExist) {
     for (const std::string& sentence : missing_in(lines[i])) {
       ADD_FAILURE() << "docs/theory.md:" << i + 1 << ": " << sentence;
     }
+  }
+}
+
+// Beside a statement, without a file.
+TEST(TheoryTest, NamesTestsThatExistBesideStatements) {
+  const std::set<std::string> tests = tests_in(root / "tests");
+  int named = 0;
+  for (const std::string& line : theory_lines()) {
+    if (line.starts_with('|')) continue;
+    for (const std::string& span : code_spans(line)) {
+      if (!is_test(span)) continue;
+      EXPECT_TRUE(tests.contains(span)) << span;
+      ++named;
+    }
+  }
+  EXPECT_GT(named, 30);
+}
+
+// The lists of "Any device" are statements, and each has a test.
+TEST(TheoryTest, EachStatementAboutAnyDeviceNamesATest) {
+  const std::string text = text_of(root / "docs/theory.md");
+  const std::size_t begin = text.find("## Any device");
+  ASSERT_NE(begin, std::string::npos);
+  std::istringstream lines(text.substr(begin, text.find("\n## ", begin) - begin));
+  std::vector<std::string> statements;
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with("- ")) {
+      statements.push_back(line);
+    } else if (line.starts_with("  ") && !line.starts_with("    ") && !statements.empty()) {
+      statements.back() += line;
+    }
+  }
+  EXPECT_GT(statements.size(), 15U);
+  for (const std::string& statement : statements) {
+    EXPECT_TRUE(std::ranges::any_of(code_spans(statement), is_test)) << statement;
   }
 }
 

@@ -46,14 +46,31 @@ TEST(SceneTest, KeysAreThoseOfTheFileFormatInItsOrder) {
   const std::vector<std::pair<std::string, bool>> expected{
       {"title", true},
       {"about", true},
+      {"wall.kind", false},
       {"wall.point_mm", true},
       {"wall.normal_deg", true},
+      {"wall.normals_deg", true},
+      {"wall.center_mm", true},
+      {"wall.radius_mm", true},
+      {"wall.free", true},
+      {"device.kind", false},
       {"device.actuated_deg", true},
+      {"device.base_mm", true},
+      {"device.links_mm", true},
+      {"device.elbow", true},
+      {"device.bases_mm", true},
+      {"device.proximal_mm", true},
+      {"device.distal_mm", true},
+      {"device.motor", true},
+      {"device.anchors_mm", true},
+      {"device.most_N", false},
       {"device.mass_kg", true},
       {"device.damping_N_s_per_m", true},
       {"device.rate_hz", true},
       {"device.encoder_mm", false},
       {"user.k_u_N_per_m", true},
+      {"user.k_u_second_N_per_m", false},
+      {"user.k_u_first_deg", false},
       {"user.believed_k_u_N_per_m", false},
       {"user.k_u_path_N_per_m", false},
       {"user.k_u_times_s", false},
@@ -66,6 +83,7 @@ TEST(SceneTest, KeysAreThoseOfTheFileFormatInItsOrder) {
       {"rendering.k_t_N_per_m", true},
       {"rendering.k_c_N_per_m", true},
       {"rendering.tracking_ratio", false},
+      {"rendering.compliance_share", false},
       {"goal.path_mm", true},
       {"goal.times_s", true},
       {"goal.duration_s", true},
@@ -178,7 +196,7 @@ TEST(SceneTest, RangesAreThoseOfTheFileFormat) {
       EXPECT_LT(number->least, number->greatest);
       EXPECT_TRUE(std::isfinite(number->least) && std::isfinite(number->greatest));
       EXPECT_GT(number->per_si, 0.0);
-      EXPECT_EQ(number->may_be_infinite, key.name == "k_c_N_per_m");
+      EXPECT_EQ(number->may_be_infinite, key.name == "k_c_N_per_m" || key.name == "most_N");
       EXPECT_EQ(number->whole, key.name == "rate_hz" || key.name == "seed");
     }
     if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
@@ -299,6 +317,11 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
   const auto with = [](const SceneKey& key, auto value) {
     Scene scene;
     scene.settings = settings_in_range();
+    scene.settings.general.strings.count = 1;
+    if (key.name == "k_u_first_deg") scene.settings.general.k_u_second = 100.0;
+    for (std::size_t kind = 0; kind < kinds_of(key.table).size() && !belongs(key, scene); ++kind) {
+      std::get<ChoiceKey>(key_named(std::string(key.table) + ".kind").value).set(scene, kind);
+    }
     std::visit(
         [&](const auto& k) {
           if constexpr (requires { k.in(scene); }) {
@@ -322,7 +345,7 @@ TEST(SceneTest, SettingsAreInRangeWhereEachKeyIs) {
       const double below = number->least == 0.0 ? -1e-300 : std::nextafter(number->least, -infinity);
       EXPECT_FALSE(with(key, below / number->per_si));
       EXPECT_FALSE(with(key, std::nextafter(number->greatest, infinity) / number->per_si));
-      EXPECT_EQ(with(key, 100.5), !number->whole && number->greatest > 100.0 && number->least < 100.5);
+      EXPECT_EQ(with(key, 100.5 / number->per_si), !number->whole && number->greatest > 100.0 && number->least < 100.5);
     } else if (const auto* optional = std::get_if<OptionalNumberKey>(&key.value)) {
       EXPECT_TRUE(with(key, std::optional<double>{}));
       EXPECT_TRUE(with(key, std::optional{optional->least}));
@@ -363,9 +386,10 @@ TEST(SceneTest, RareKeysAreTheNewOnes) {
     EXPECT_FALSE(key.is_omitted_when_default && key.required) << full_name(key);
     if (key.is_omitted_when_default) rare.push_back(full_name(key));
   }
-  EXPECT_EQ(rare,
-            (std::vector<std::string>{"device.encoder_mm", "user.k_u_path_N_per_m", "user.k_u_times_s",
-                                      "user.tremor_mm_rms", "user.tremor_hz", "user.drift_mm_per_s", "user.seed"}));
+  EXPECT_EQ(rare, (std::vector<std::string>{"wall.kind", "device.kind", "device.most_N", "device.encoder_mm",
+                                            "user.k_u_first_deg", "user.k_u_path_N_per_m", "user.k_u_times_s",
+                                            "user.tremor_mm_rms", "user.tremor_hz", "user.drift_mm_per_s", "user.seed",
+                                            "rendering.compliance_share"}));
   const Scene scene;
   EXPECT_EQ(scene.settings.encoder_step, 0.0);
   EXPECT_TRUE(scene.stiffness_path.is_empty());

@@ -117,10 +117,10 @@ pid_t thread_named(std::string_view name) {
 }
 
 // The second argument.
-std::string_view detail;
+std::string_view fault_detail;
 
 void raise_signal() {
-  std::raise(std::stoi(std::string(detail)));
+  std::raise(std::stoi(std::string(fault_detail)));
 }
 
 // In which the servo's own thread may be made to run into a bug.
@@ -253,7 +253,7 @@ constexpr Way ways[] = {
        action.sa_handler = [](int) { overflow_stack(); };
        sigaction(SIGURG, &action, nullptr);
        pid_t thread = 0;
-       while ((thread = thread_named(detail)) == 0) person.live();
+       while ((thread = thread_named(fault_detail)) == 0) person.live();
        tgkill(getpid(), thread, SIGURG);
        sleep_for_ever();
      }},
@@ -308,7 +308,7 @@ int main(int argc, char** argv) {
   remember_interruptions(emergency_stop::stop_motors);
   emergency_stop::install_handlers();
   try {
-    if (argc > 2) detail = argv[2];
+    if (argc > 2) fault_detail = argv[2];
     return run(argc > 1 ? argv[1] : "");
   } catch (const Failure& failure) {
     return static_cast<int>(failure.code());

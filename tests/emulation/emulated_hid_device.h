@@ -2,7 +2,6 @@
 // be pulled out and plugged in again. One thread.
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <mutex>

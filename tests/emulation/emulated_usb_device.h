@@ -11,8 +11,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <list>
-#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>

@@ -7,8 +7,6 @@
 #include <string_view>
 #include <thread>
 
-#include "core/safety.h"
-#include "device/falcon/falcon_report.h"
 #include "device/input/monotonic_clock.h"
 #include "tests/emulation/emulated_usb_device.h"
 #include "tests/emulation/falcon_chip.h"

@@ -1,6 +1,5 @@
 // The complete driver over the real libusb with two Falcons, whose chips forget their settings with the cable or are
 // reset while it is in: no force outlives the moment at which its device can be told again.
-#include <algorithm>
 #include <atomic>
 #include <functional>
 #include <memory>

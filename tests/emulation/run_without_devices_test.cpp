@@ -5,7 +5,6 @@
 
 #include "tests/emulation/test_bed.h"
 #include "tests/support/display.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 
 namespace ghostforce::run_without_devices_test {
@@ -15,7 +14,7 @@ Outcome visit(const Display& display, const std::string& input) {
   ProgramCall call;
   call.words = {"run", "--no-hints", "--exit-after", "1", "--input", input};
   call.environment = display.environment();
-  return run_program(ghostforce_program(), call);
+  return run_ghostforce(call);
 }
 
 TEST(RunWithoutDevices, SaysWhichOneIsMissing) {

@@ -5,8 +5,6 @@
 // A trivially copyable value; its catalog is immutable after start, any thread. Times in ms.
 #pragma once
 
-#include <cerrno>
-#include <cstdint>
 #include <span>
 #include <string_view>
 

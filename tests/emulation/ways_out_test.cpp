@@ -3,7 +3,6 @@
 #include <chrono>
 #include <csignal>
 #include <cstdint>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -211,65 +210,36 @@ TEST_F(WaysOutTest, TwoSignalsAtOnce) {
   expect_no_force(128 + SIGRTMIN);
 }
 
-TEST_F(WaysOutTest, TwoThreadsAtOnce) {
-  ASSERT_NO_FATAL_FAILURE(start("segmentation faults on two threads"));
-  expect_no_force(128 + SIGSEGV);
+// What the program does to itself.
+struct WayOut {
+  const char* way;
+  const char* detail;
+  int exit_code;
+};
+class WaysOutByItselfTest : public WaysOutTest, public testing::WithParamInterface<WayOut> {};
+
+TEST_P(WaysOutByItselfTest, EndsInNoForce) {
+  ASSERT_NO_FATAL_FAILURE(start(GetParam().way, GetParam().detail));
+  expect_no_force(GetParam().exit_code);
 }
 
-TEST_F(WaysOutTest, ExitByALibrary) {
-  ASSERT_NO_FATAL_FAILURE(start("exit"));
-  expect_no_force(0);
-}
-
-TEST_F(WaysOutTest, Abort) {
-  ASSERT_NO_FATAL_FAILURE(start("abort"));
-  expect_no_force(128 + SIGABRT);
-}
-
-TEST_F(WaysOutTest, Assertion) {
-  ASSERT_NO_FATAL_FAILURE(start("assertion"));
-  expect_no_force(128 + SIGABRT);
-}
-
-TEST_F(WaysOutTest, ExceptionThatNobodyCatches) {
-  ASSERT_NO_FATAL_FAILURE(start("exception"));
-  expect_no_force(128 + SIGABRT);
-}
-
-TEST_F(WaysOutTest, SegmentationFault) {
-  ASSERT_NO_FATAL_FAILURE(start("segmentation fault"));
-  expect_no_force(128 + SIGSEGV);
-}
-
-TEST_F(WaysOutTest, StackOverflow) {
-  ASSERT_NO_FATAL_FAILURE(start("stack overflow"));
-  expect_no_force(128 + SIGSEGV);
-}
-
-TEST_F(WaysOutTest, StackOverflowOnTheServosThread) {
-  ASSERT_NO_FATAL_FAILURE(start("stack overflow on the servo's thread"));
-  expect_no_force(128 + SIGSEGV);
-}
-
-TEST_F(WaysOutTest, StackOverflowOnTheRecordersThread) {
-  ASSERT_NO_FATAL_FAILURE(start("stack overflow on another thread", "recorder"));
-  expect_no_force(128 + SIGSEGV);
-}
-
-TEST_F(WaysOutTest, StackOverflowOnTheSpaceMousesThread) {
-  ASSERT_NO_FATAL_FAILURE(start("stack overflow on another thread", "spacemouse"));
-  expect_no_force(128 + SIGSEGV);
-}
-
-TEST_F(WaysOutTest, AbortOnTheServosThread) {
-  ASSERT_NO_FATAL_FAILURE(start("abort on the servo's thread"));
-  expect_no_force(128 + SIGABRT);
-}
-
-TEST_F(WaysOutTest, SegmentationFaultOnTheServosThread) {
-  ASSERT_NO_FATAL_FAILURE(start("segmentation fault on the servo's thread"));
-  expect_no_force(128 + SIGSEGV);
-}
+INSTANTIATE_TEST_SUITE_P(, WaysOutByItselfTest,
+                         testing::Values(WayOut{"segmentation faults on two threads", "", 128 + SIGSEGV},
+                                         WayOut{"exit", "", 0},  // by a library
+                                         WayOut{"abort", "", 128 + SIGABRT}, WayOut{"assertion", "", 128 + SIGABRT},
+                                         WayOut{"exception", "", 128 + SIGABRT},  // that nobody catches
+                                         WayOut{"segmentation fault", "", 128 + SIGSEGV},
+                                         WayOut{"stack overflow", "", 128 + SIGSEGV},
+                                         WayOut{"stack overflow on the servo's thread", "", 128 + SIGSEGV},
+                                         WayOut{"stack overflow on another thread", "recorder", 128 + SIGSEGV},
+                                         WayOut{"stack overflow on another thread", "spacemouse", 128 + SIGSEGV},
+                                         WayOut{"abort on the servo's thread", "", 128 + SIGABRT},
+                                         WayOut{"segmentation fault on the servo's thread", "", 128 + SIGSEGV}),
+                         [](const auto& run) {
+                           std::string name = fmt::format("{} {}", run.param.way, run.param.detail);
+                           std::erase_if(name, [](char c) { return c == ' ' || c == '\''; });
+                           return name;
+                         });
 
 // --- None of its code can run ----------------------------------------------------------------------------------------
 

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/base/failure.h"
-#include "app/cli/command_line.h"
+#include "app/cli/command.h"
 #include "tests/fuzz/fuzz.h"
 
 using namespace ghostforce;

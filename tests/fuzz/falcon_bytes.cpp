@@ -1,7 +1,6 @@
 // A Falcon that says anything at any time, or stops: the driver goes on, what it reads is a place, and no motor gets
 // more than its most, or anything at all while nobody has armed it.
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <deque>
 #include <memory>

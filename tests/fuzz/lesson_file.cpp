@@ -1,5 +1,4 @@
 // A lesson file: it is read whole, or told to be wrong.
-#include <string>
 
 #include "app/state/lesson_file.h"
 #include "tests/fuzz/fuzz.h"

@@ -1,7 +1,6 @@
 // The files that a Debian package needs and that are made of the project's own.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <set>
 #include <string>
 

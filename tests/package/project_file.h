@@ -1,7 +1,6 @@
 // The project's own files as text, for the tests of what is made of them.
 #pragma once
 
-#include <iterator>
 #include <regex>
 #include <stdexcept>
 #include <string>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <variant>
 
 #include "core/scene.h"
 #include "tests/core/random_setting.h"
@@ -19,7 +18,8 @@ inline double any_between(Random& random, double least, double greatest) {
   return random.uniform(-1000.0, 1000.0);
 }
 
-// Visits the value of a SceneKey. Texts, paths with their times and bands stay as they are.
+// Visits the value of a SceneKey. Texts, paths with their times, bands and what several numbers make up stay as
+// they are.
 struct AnyValue {
   Scene& scene;
   Random& random;
@@ -43,6 +43,9 @@ struct AnyValue {
   void operator()(const TimesKey&) const {}
   void operator()(const NumbersKey&) const {}
   void operator()(const RangeKey&) const {}
+  void operator()(const PairKey&) const {}
+  void operator()(const PointPairKey&) const {}
+  void operator()(const AnchorsKey&) const {}
 };
 
 }  // namespace ghostforce

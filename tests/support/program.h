@@ -6,8 +6,10 @@
 #include <chrono>
 #include <optional>
 #include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
+
+#include "tests/support/places.h"
 
 namespace ghostforce {
 
@@ -35,6 +37,14 @@ inline Outcome run_program(const std::string& program, std::vector<std::string> 
   ProgramCall call;
   call.words = std::move(words);
   return run_program(program, call);
+}
+
+// The program under test.
+inline Outcome run_ghostforce(std::vector<std::string> words) {
+  return run_program(ghostforce_program(), std::move(words));
+}
+inline Outcome run_ghostforce(const ProgramCall& call) {
+  return run_program(ghostforce_program(), call);
 }
 
 // A program that runs while the test does something else: it is listened to line by line, and gets signals. What it

@@ -34,7 +34,7 @@ inline std::vector<std::string> scene_values(Scene scene) {
         }
       }
       void operator()(const TextKey& k) const { into += fmt::format(" {}", k.in(of)); }
-      void operator()(const ChoiceKey& k) const { into += fmt::format(" {}", k.words[k.get(of)]); }
+      void operator()(const ChoiceKey& k) const { into += fmt::format(" {}", words_of(k, of)[k.get(of)]); }
       void operator()(const PointKey& k) const {
         with(k.in(of).x);
         with(k.in(of).y);
@@ -54,6 +54,21 @@ inline std::vector<std::string> scene_values(Scene scene) {
       void operator()(const RangeKey& k) const {
         with(k.in(of).least);
         with(k.in(of).greatest);
+      }
+      void operator()(const PairKey& k) const {
+        for (const double number : k.in(of)) with(number);
+      }
+      void operator()(const PointPairKey& k) const {
+        for (const Vector<2>& point : k.in(of)) {
+          with(point.x);
+          with(point.y);
+        }
+      }
+      void operator()(const AnchorsKey& k) const {
+        for (std::size_t i = 0; i < k.in(of).count; ++i) {
+          with(k.in(of).anchors[i].x);
+          with(k.in(of).anchors[i].y);
+        }
       }
     };
     std::visit(Visitor{scene, value, add}, key.value);

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
@@ -64,8 +62,16 @@ inline void add_letter(std::vector<ScreenWords>& all, const ScreenWords& letter,
   all.push_back(letter);
 }
 
+// As it is called now. A list keeps the name that its window had when it was made, which may be gone.
+inline std::string owner_of(const ImDrawList& list) {
+  for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+    if (window->DrawList == &list) return window->Name;
+  }
+  return list._OwnerName == nullptr ? "" : list._OwnerName;
+}
+
 inline void read_list(const ImDrawList& list, const std::map<Corner, ImWchar>& letters, std::vector<ScreenWords>& all) {
-  const std::string window = list._OwnerName == nullptr ? "" : list._OwnerName;
+  const std::string window = owner_of(list);
   for (const ImDrawCmd& command : list.CmdBuffer) {
     const auto vertex = [&](unsigned int i) -> const ImDrawVert& {
       return list.VtxBuffer[static_cast<int>(command.VtxOffset + i)];
@@ -100,7 +106,7 @@ inline std::vector<ScreenWords> words_on_screen() {
   std::vector<ScreenWords> all;
   const std::map<screen_text::Corner, ImWchar> letters = screen_text::letters_in_atlas();
   for (const ImDrawList* list : ImGui::GetDrawData()->CmdLists) {
-    if (std::string_view(list->_OwnerName) != "##Background") screen_text::read_list(*list, letters, all);
+    if (screen_text::owner_of(*list) != "##Background") screen_text::read_list(*list, letters, all);
   }
   return all;
 }

@@ -48,31 +48,46 @@ NAMED_KEYS = {
 # The page's own, where the browser keeps the desktop's for itself: app/state/front_keys.h.
 HELP, LESSONS, DEVICE_STATUS, PLOTS, NEXT_THEME, SAVE_PICTURE = "KMDNCI"
 
-# At 1280×800, what no key does: the workbench's button that starts and ends a recording, and the choice of Spanish
-# below the lessons.
+# At 1280×800, what no key does: the workbench's button that starts and ends a recording.
 RECORD_BUTTON = (864, 23)
-SPANISH = (301, 711)
 
 
 class PageServer:
-    """Serves one folder on this machine alone, at a port that is free, and knows what was asked for."""
+    """Serves one folder on this machine alone, at a port that is free, and knows what was asked for. `headers` go with
+    each answer."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, headers=()):
         self.requests = []
-        requests = self.requests
+        self._pages = {}  # by path: what a test serves besides
+        requests, pages = self.requests, self._pages
 
         class Handler(http.server.SimpleHTTPRequestHandler):
             def log_message(self, *_):
                 requests.append(self.path)
 
+            def do_GET(self):
+                if self.path not in pages:
+                    return super().do_GET()
+                self.log_message("")
+                self.send_response(200)
+                self.send_header("Content-Type", "text/html; charset=utf-8")
+                self.end_headers()
+                self.wfile.write(pages[self.path].encode())
+
             def end_headers(self):
                 self.send_header("Cache-Control", "no-store")  # each opening asks anew
+                for name, value in headers:
+                    self.send_header(name, value)
                 super().end_headers()
 
         self._server = http.server.ThreadingHTTPServer(
             ("127.0.0.1", 0), functools.partial(Handler, directory=str(folder))
         )
         threading.Thread(target=self._server.serve_forever, daemon=True).start()
+
+    def add(self, path, page):
+        """Serves this text as HTML, too."""
+        self._pages[path] = page
 
     def address(self, name):
         return f"http://127.0.0.1:{self._server.server_port}/{name}"
@@ -160,6 +175,11 @@ class Browser:
     def command(self, name, **values):
         """Of the DevTools protocol."""
         return self.driver.execute_cdp_cmd(name, values)
+
+    def emulate(self, **features):
+        """What the person has set for all pages: prefers_reduced_motion="reduce"."""
+        named = [{"name": name.replace("_", "-"), "value": value} for name, value in features.items()]
+        self.command("Emulation.setEmulatedMedia", features=named)
 
     def run_before_page(self, script):
         """In every page opened from now on, before a script of its own."""
@@ -310,6 +330,16 @@ class Browser:
 
     def next_frame(self):
         self.driver.execute_async_script(NEXT_FRAME)
+
+    def use_action(self, words):
+        """By its button in the list of all actions beside the picture."""
+        script = """
+          const rows = [...document.querySelectorAll('#control-actions button')];
+          const found = rows.find((row) => row.textContent === arguments[0]);
+          found?.click();
+          return found !== undefined;
+        """
+        wait_for(lambda: self.script(script, words), f"the action {words}", self.told_state)
 
     # --- Files ---
 

@@ -114,6 +114,13 @@ class Firefox:
     def on_screen(self, point_m):
         return self.script("return window.ghostforce.to_screen(arguments[0], arguments[1])", *point_m)
 
+    def as_told(self, selector):
+        """Role and name of an element, as a screen reader is told of it."""
+        found = self.send("WebDriver:FindElement", using="css selector", value=selector)["value"]
+        (element,) = found.values()
+        role = self.send("WebDriver:GetComputedRole", id=element)["value"]
+        return role, self.send("WebDriver:GetComputedLabel", id=element)["value"]
+
     def press(self, key):
         value = NAMED_KEYS.get(key, key)
         actions = [{"type": "keyDown", "value": value}, {"type": "keyUp", "value": value}]

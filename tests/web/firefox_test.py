@@ -3,7 +3,7 @@ import math
 import unittest
 import urllib.parse
 
-from browser import PAGE, PageServer
+from browser import PAGE, PageServer, wait_for
 from firefox import Firefox
 from model import Rest
 
@@ -61,6 +61,34 @@ class InFirefox(unittest.TestCase):
         state = self.browser.wait_until(face="workbench", strategy="anisotropic")
         self.assertLess(math.dist(state["goal_m"], (0.010, -0.01732)), 1e-9)
         self.rest_of(state["goal_m"], "anisotropic", normal_deg=120.0)
+
+    def test_has_words_and_controls_beside_the_picture(self):
+        browser = self.browser
+        browser.open(self.server.address(PAGE.name))
+        there = "return document.getElementById('control-actions') !== null"
+        wait_for(lambda: browser.script(there), "the controls")
+        for selector, role, beginning in (
+            ("#stage", ("img", "image", "graphic"), "The stage as a picture"),
+            ("#controls h1", ("heading",), "ghostforce"),
+            ("#control-strategy-naive", ("radio",), "Naïve"),
+            ("#control-hand-depth", ("slider",), "Hand: depth in the wall"),
+            ("#control-mode-why", ("button",), "Why?"),
+        ):
+            told = browser.as_told(selector)
+            self.assertIn(told[0], role, selector)
+            self.assertTrue(told[1].startswith(beginning), told)
+        # By Tab from the canvas to the strategies, and by an arrow to another one.
+        focused = lambda: browser.script("return document.activeElement.id")
+        self.assertEqual(focused(), "stage")
+        for _ in range(10):
+            if focused().startswith("control-strategy-"):
+                break
+            browser.press("Tab")
+        before = browser.state()["strategy"]
+        browser.press("Down")
+        browser.wait(lambda state: state["strategy"] != before, "another strategy")
+        browser.press("Escape")
+        self.assertEqual(focused(), "stage")
 
     def test_asks_its_server_for_nothing_but_itself(self):
         before = len(self.server.requests)

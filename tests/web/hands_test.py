@@ -2,7 +2,7 @@
 import math
 import unittest
 
-from browser import DEVICE_STATUS, HEIGHT, HELP, LESSONS, WIDTH, PageTest
+from browser import DEVICE_STATUS, HEIGHT, HELP, LESSONS, PLOTS, WIDTH, PageTest
 from model import Rest, ghost_force
 
 
@@ -43,6 +43,11 @@ class Keys(PageTest):
         browser.wait_until(face="workbench")
         browser.press("F4")
         browser.wait_until(face="stage")
+
+    def test_of_the_plots_opens_them_where_they_are(self):
+        browser = self.open()
+        browser.press(PLOTS)
+        browser.wait_until(face="workbench")
 
     def test_modes_of_the_stage(self):
         browser = self.open()
@@ -133,7 +138,10 @@ class Fingers(PageTest):
         goal = browser.state()["goal_m"]
         at = browser.on_screen((0.0, 0.0))
         before = browser.on_screen((0.01, 0.0))[0] - at[0]
-        left, right = (WIDTH / 2 - 60, HEIGHT / 2), (WIDTH / 2 + 60, HEIGHT / 2)
+        # About the middle of hand and handle: both stay in sight, or the view would be made to fit.
+        ends = [browser.on_screen(browser.state()[key]) for key in ("goal_m", "device_m")]
+        x, y = (0.5 * (one + other) for one, other in zip(*ends))
+        left, right = (x - 60, y), (x + 60, y)
         steps = [[(left[0] - 6 * i, left[1]), (right[0] + 6 * i, right[1])] for i in range(11)]
         browser.touch(*steps)  # twice as far apart
         browser.wait(
@@ -143,9 +151,112 @@ class Fingers(PageTest):
         close = browser.on_screen((0.01, 0.0))[0] - browser.on_screen((0.0, 0.0))[0]
         self.assertLess(close, 2.3 * before)
         x, y = browser.on_screen((0.0, 0.0))
-        browser.touch(*([(left[0] + 8 * i, left[1] + 4 * i), (right[0] + 8 * i, right[1] + 4 * i)] for i in range(11)))
-        browser.wait(lambda _: math.dist(browser.on_screen((0.0, 0.0)), (x + 80, y + 40)) < 15, "a view moved by two")
+        browser.touch(*([(left[0] - 6 * i, left[1] - 4 * i), (right[0] - 6 * i, right[1] - 4 * i)] for i in range(11)))
+        browser.wait(lambda _: math.dist(browser.on_screen((0.0, 0.0)), (x - 60, y - 40)) < 15, "a view moved by two")
         self.assert_close(browser.state()["goal_m"], goal, 1e-9, "two fingers do not move the hand")
+
+
+# On the stage at 1280×800, and in the first lesson's first step.
+FIT, RESET, MORE, FULL_SCREEN = (66, 397), (144, 397), (1196, 49), (1100, 366)
+FIT_IN_LESSON, RESET_IN_LESSON = (66, 464), (149, 464)
+
+
+class Buttons(PageTest):
+    """That the stage has for those who know no key."""
+
+    def is_fitted_again_by(self, button):
+        browser = self.browser
+        fitted = browser.on_screen((0.01, 0.0))
+        for _ in range(3):
+            browser.press("Z")
+        browser.wait(lambda _: math.dist(browser.on_screen((0.01, 0.0)), fitted) > 20, "a closer view")
+        browser.click(button)
+        browser.wait(lambda _: math.dist(browser.on_screen((0.01, 0.0)), fitted) < 1, "the view as it was")
+
+    def test_fit_and_reset(self):
+        browser = self.open()
+        self.is_fitted_again_by(FIT)
+        goal = browser.state()["goal_m"]
+        for _ in range(5):
+            browser.press("Right")
+        browser.wait(lambda state: math.dist(state["goal_m"], goal) > 0.004, "the hand elsewhere")
+        browser.click(RESET)
+        browser.wait(lambda state: math.dist(state["goal_m"], goal) < 1e-9, "the hand where it began")
+
+    def test_fit_and_reset_in_a_lesson(self):
+        browser = self.open(query="?lesson=ghost")
+        browser.wait(lambda state: state["lesson"] is not None, "the lesson")
+        browser.next_frame()
+        self.is_fitted_again_by(FIT_IN_LESSON)
+        before = browser.state()
+        ticks = before["tick"]
+        browser.click(RESET_IN_LESSON)
+        browser.wait(lambda state: state["tick"] < ticks, "the motion begun anew")
+        self.assertEqual(browser.state()["lesson"], before["lesson"])
+
+    def test_full_screen_is_in_the_menu(self):
+        browser = self.open()
+        browser.click(MORE)
+        browser.click(FULL_SCREEN)
+        browser.wait(lambda _: browser.script("return document.fullscreenElement !== null"), "the full screen")
+        browser.press("X")
+        browser.wait(lambda _: browser.script("return document.fullscreenElement === null"), "the window again")
+
+    def test_fit_of_the_address_holds_at_each_size(self):
+        browser = self.open(query="?fit")
+        # The first picture's size is a new one, too.
+        browser.wait(lambda state: state["frames"] > 3, "some pictures")
+        fitted = browser.on_screen((0.01, 0.0))
+        browser.press("Z")
+        browser.wait(lambda _: math.dist(browser.on_screen((0.01, 0.0)), fitted) > 5, "a closer view")
+        browser.resize((1000, 700))
+        browser.wait_until(size_px=[1000, 700])
+        browser.resize((WIDTH, HEIGHT))
+        browser.wait_until(size_px=[WIDTH, HEIGHT])
+        browser.wait(lambda _: math.dist(browser.on_screen((0.01, 0.0)), fitted) < 1, "everything in sight again")
+
+
+class Phone(PageTest):
+    """A small screen, and nothing but fingers."""
+
+    def test_that_is_turned_has_everything_in_its_picture(self):
+        browser = self.open()
+        for size in ((390, 844), (844, 390), (390, 844)):
+            browser.resize(size)
+            browser.wait_until(size_px=list(size))
+
+            def is_seen(state, size=size):
+                places = (browser.on_screen(state[key]) for key in ("goal_m", "device_m", "proxy_m"))
+                return all(0 < x < size[0] and 0 < y < size[1] for x, y in places)
+
+            browser.wait(is_seen, f"hand, handle and wall in a picture of {size}")
+
+    def test_has_no_workbench_and_says_so(self):
+        browser = self.start(size=(390, 844))
+        browser.open(self.address())
+        browser.press("F4")
+        state = browser.wait(lambda state: state["notice"], "words about the workbench")
+        self.assertIn("wider window", state["notice"])
+        self.assertEqual(state["face"], "stage")
+        browser.resize((844, 390))
+        browser.wait_until(size_px=[844, 390])
+        browser.press("F4")
+        browser.wait_until(face="workbench")
+        browser.resize((390, 844))
+        browser.wait_until(face="stage")
+
+    def test_that_was_pinched_has_the_hand_in_its_picture(self):
+        browser = self.start(size=(390, 844))
+        browser.open(self.address())
+        middle = browser.on_screen((0.03, 0.03))
+        steps = [[(middle[0] - 10 - 16 * i, middle[1]), (middle[0] + 10 + 16 * i, middle[1])] for i in range(10)]
+        browser.touch(*steps)
+
+        def is_seen(state):
+            x, y = browser.on_screen(state["goal_m"])
+            return 0 < x < 390 and 0 < y < 844
+
+        browser.wait(is_seen, "the hand in the picture")
 
 
 if __name__ == "__main__":

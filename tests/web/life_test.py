@@ -1,7 +1,8 @@
 """What may happen to a page while it is open: its graphics go away, nobody looks at it, it is loaded again."""
 import unittest
+import urllib.parse
 
-from browser import LESSONS, NEXT_THEME, PAGE, SPANISH, PageTest, wait_for
+from browser import NEXT_THEME, PAGE, PageTest, wait_for
 from pictures import difference
 
 PREFERENCES = "Object.keys(localStorage).filter(each => each.startsWith('ghostforce'))"
@@ -36,6 +37,74 @@ class Context(PageTest):
         browser.wait(lambda _: difference(browser.picture(), before) > 0.002, "another picture")
 
 
+    def test_that_stays_away_leaves_words_and_a_way_back(self):
+        browser = self.open()
+        browser.press("3")
+        browser.press("W")
+        state = browser.wait(
+            lambda now: now["strategy"] == "anisotropic" and now["set_up"] in urllib.parse.unquote(now["url"]),
+            "an address that holds what is shown",
+        )
+        browser.script(
+            "document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
+        )
+        browser.wait(lambda _: "taken the graphics away" in browser.body_text(), "words about the graphics")
+        browser.driver.find_element("css selector", "#way-back button").click()
+        again = browser.wait(
+            lambda now: now["ready"] and now["context_losses"] == 0 and now["renderer"], "the page loaded again"
+        )
+        for key in ("strategy", "set_up", "theme"):
+            self.assertEqual(again[key], state[key], key)
+        self.assertNotIn("taken the graphics away", browser.body_text())
+
+    def test_that_comes_back_late_takes_the_words_away(self):
+        browser = self.open()
+        browser.script(
+            """window.lost = document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context');
+               window.lost.loseContext();"""
+        )
+        browser.wait(lambda _: "taken the graphics away" in browser.body_text(), "words about the graphics")
+        browser.script("window.lost.restoreContext()")
+        browser.wait(lambda _: "taken the graphics away" not in browser.body_text(), "a page without them")
+
+
+class System(PageTest):
+    """What the person has set for all pages."""
+
+    is_main = True
+
+    def test_reduces_motion_when_asked_to(self):
+        browser = self.open()
+        self.assertFalse(browser.state()["reduces_motion"])
+        browser.emulate(prefers_reduced_motion="reduce")
+        browser.wait_until(reduces_motion=True)
+        # A lesson's hand does not glide: it is there with the step.
+        browser.open(self.address("?lesson=lose-a-motor"))
+        browser.wait_until(reduces_motion=True)
+        before = browser.state()["goal_m"]
+        browser.press("PageDown")
+        browser.wait(lambda state: state["lesson"]["step"] == 2, "the second step")
+        places = {tuple(browser.state()["goal_m"]) for _ in range(20)}
+        self.assertLessEqual(len(places | {tuple(before)}), 2)
+        browser.emulate(prefers_reduced_motion="no-preference")
+        browser.wait_until(reduces_motion=False)
+
+    def test_forces_its_colours_on_the_page_and_lets_go(self):
+        browser = self.open()
+        theme = browser.state()["theme"]
+        browser.emulate(forced_colors="active")
+        browser.wait_until(theme="system")
+        canvas = browser.script(
+            "const probe = document.body.appendChild(document.createElement('i'));"
+            "probe.style.forcedColorAdjust = 'none'; probe.style.color = 'Canvas';"
+            "const colour = getComputedStyle(probe).color.match(/[0-9]+/g).map(Number); probe.remove(); return colour"
+        )
+        picture = browser.still_picture()
+        self.assertEqual(list(picture.getpixel((10, picture.height - 300))), canvas[:3])
+        browser.emulate(forced_colors="none")
+        browser.wait_until(theme=theme)
+
+
 class Hidden(PageTest):
     def test_pauses_and_goes_on(self):
         browser = self.start()
@@ -65,19 +134,36 @@ class Kept(PageTest):
         theme = browser.state()["theme"]
         browser.press(NEXT_THEME)
         state = browser.wait(lambda state: state["theme"] != theme, "another theme")
-        browser.press(LESSONS)
-        browser.wait_until(dialog="lessons")
-        browser.next_frame()
-        browser.click(SPANISH)
+        browser.use_action("Language: Español")
         browser.wait_until(language="es")
-        browser.press("Escape")
-        browser.wait_until(dialog="none")
         browser.press("F4")
         browser.wait_until(face="workbench")
         # Written a moment after the last change.
         browser.wait(lambda _: browser.script("return localStorage.length") > 0, "stored preferences")
         browser.reload()
         browser.wait_until(theme=state["theme"], language="es", face="workbench")
+
+    def test_preferences_of_two_tabs_are_both_kept(self):
+        browser = self.open()
+        theme = browser.state()["theme"]
+        first = browser.driver.current_window_handle
+        browser.driver.switch_to.new_window("tab")
+        browser.driver.get(self.address())
+        browser.wait(lambda state: state["ready"], "the second tab's first picture")
+        second = browser.driver.current_window_handle
+        browser.press("F4")
+        browser.wait_until(face="workbench")
+        browser.wait(lambda _: "workbench" in browser.script(f"return {PREFERENCES}.map(k => localStorage[k]).join()"), "the second tab's choice kept")
+        browser.driver.switch_to.window(first)
+        browser.wait(lambda state: state["is_visible"], "the first tab in sight")
+        browser.press(NEXT_THEME)
+        chosen = browser.wait(lambda state: state["theme"] != theme, "another theme")["theme"]
+        browser.wait(lambda _: chosen in browser.script(f"return {PREFERENCES}.map(k => localStorage[k]).join()"), "the first tab's choice kept")
+        browser.reload()
+        browser.wait_until(theme=chosen, face="workbench")
+        browser.driver.switch_to.window(second)
+        browser.driver.close()
+        browser.driver.switch_to.window(first)
 
     def test_preferences_of_a_page_from_a_disk_outlive_a_reload(self):
         browser = self.start()

@@ -2,7 +2,7 @@
 import unittest
 import urllib.parse
 
-from browser import LESSONS, PLOTS, PageTest
+from browser import LESSONS, NEXT_THEME, PLOTS, PageTest
 from model import Rest
 
 LINE = "ghostforce run wall45 --set wall.normal_deg=120.0 --goal-mm=10,-17.32 --strategy anisotropic --view workbench"
@@ -51,8 +51,12 @@ class SetUp(PageTest):
         self.browser.open(self.address(fragment="#ghostforce%20run%20wall45%20--stratgy%20naive"))
         state = self.browser.wait(lambda state: "--stratgy" in state["notice"], "words about the wrong option")
         self.assertEqual(state["set_up"], usual)
-        self.browser.open(self.address(fragment="#%E0%A4%A"))  # no text at all
-        self.assertEqual(self.browser.state()["set_up"], usual)
+        for broken, words in (("%E0%A4%A", "%A"), ("wall45%00", "U+0000"), ("wall45%", "%")):
+            with self.subTest(fragment=broken):
+                self.browser.open(self.address(fragment="#" + broken))
+                state = self.browser.wait(lambda state: "set-up in the address" in state["notice"], "words about it")
+                self.assertIn(words, state["notice"])
+                self.assertEqual(state["set_up"], usual)
 
     def test_is_pasted(self):
         browser = self.open()
@@ -89,6 +93,31 @@ class Address(PageTest):
         state = browser.wait(lambda state: "gost" in state["notice"], "words about the lesson")
         self.assertIn("ghost", state["notice"])
         self.assertIsNone(state["lesson"])
+
+    def test_that_asks_for_what_there_is_not_is_told_of(self):
+        for query, words in (
+            ('?language="><script>', "<script>"),
+            ("?lessons=ghost", "did you mean 'lesson'?"),
+            ("?lesson=", "lesson has no value"),
+            ("?embed=*", "not the origin of a page"),
+        ):
+            with self.subTest(query=query):
+                state = self.open(query=query).wait(lambda state: state["notice"], "words about the address")
+                self.assertIn(words, state["notice"])
+
+    def test_of_a_new_person_uses_nothing_that_is_kept(self):
+        browser = self.open()
+        theme = browser.state()["theme"]
+        browser.press(NEXT_THEME)
+        kept = browser.wait(lambda state: state["theme"] != theme, "another theme")["theme"]
+        browser.wait(lambda _: browser.script("return localStorage.length") > 0, "stored preferences")
+        browser.open(self.address("?reset"))
+        browser.wait_until(theme=theme)
+        browser.press("F4")
+        browser.wait_until(face="workbench")
+        browser.next_frame()
+        browser.open(self.address())
+        browser.wait_until(theme=kept, face="stage")
 
     def test_makes_a_kiosk(self):
         browser = self.open(query="?kiosk")

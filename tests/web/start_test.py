@@ -76,8 +76,8 @@ class Words(PageTest):
 
 
 class WithoutWebGL2(PageTest):
-    def test_says_what_is_missing_and_what_to_do(self):
-        browser = self.start()
+    def start_without(self, **how):
+        browser = self.start(**how)
         browser.run_before_page(
             """const get = HTMLCanvasElement.prototype.getContext;
                HTMLCanvasElement.prototype.getContext = function (kind, ...others) {
@@ -85,9 +85,15 @@ class WithoutWebGL2(PageTest):
                };"""
         )
         browser.driver.get(self.address())
-        words = wait_for(lambda: "WebGL 2" in browser.body_text() and browser.body_text(), "words about WebGL 2")
+        return wait_for(lambda: "WebGL 2" in browser.body_text() and browser.body_text(), "words about WebGL 2")
+
+    def test_says_what_is_missing_and_what_to_do(self):
+        words = self.start_without()
         self.assertRegex(words, r"(?i)\b(update|other browser|another browser|Firefox|Chrome)\b", "what to do")
         self.assertRegex(words, r"(?i)hardware|graphics", "what to look at")
+
+    def test_says_it_in_the_language_of_the_browser(self):
+        self.assertIn("navegador", self.start_without(language="es"))
 
 
 if __name__ == "__main__":

@@ -12,7 +12,6 @@
 #include <memory>
 #include <new>
 #include <numbers>
-#include <span>
 
 #include "app/base/failure.h"
 #include "app/files/xml_text.h"

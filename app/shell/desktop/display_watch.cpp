@@ -1,11 +1,9 @@
 #include "app/shell/desktop/display_watch.h"
 
 #include <array>
-#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <thread>
 #include <utility>
 
 #define GLFW_EXPOSE_NATIVE_WAYLAND

@@ -1,6 +1,5 @@
 #include "app/shell/desktop/glfw_window.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <GLFW/glfw3.h>
@@ -45,6 +44,7 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::ope
   glfwSetKeyCallback(handle(), on_key);  // in place of ImGui's: it gets what is handed on
   glfwSetCharCallback(handle(), on_character);
   if (glfwGetPlatform() == GLFW_PLATFORM_X11) x11_clipboard_.emplace();
+  if (glfwGetPlatform() == GLFW_PLATFORM_WAYLAND) wayland_clipboard_.emplace();
   ImGuiPlatformIO& platform = ImGui::GetPlatformIO();
   platform.Platform_ClipboardUserData = this;
   platform.Platform_SetClipboardTextFn = [](ImGuiContext*, const char* text) {
@@ -243,6 +243,7 @@ void GlfwWindow::take_events(double wait_s) {
   } else {
     glfwPollEvents();
   }
+  if (wayland_clipboard_) wayland_clipboard_->poll();
   const DisplayWatch* const watch = opengl_.watch();
   end_if_display_is_lost(watch != nullptr ? watch->loss() : DisplayLoss::none);
 }
@@ -283,11 +284,15 @@ std::string GlfwWindow::portal_name() const {
 
 void GlfwWindow::set_clipboard_text(const std::string& text) {
   if (x11_clipboard_) return x11_clipboard_->copy(handle(), text);
+  if (wayland_clipboard_ && wayland_clipboard_->copy(text)) return;
   glfwSetClipboardString(handle(), text.c_str());
 }
 
 std::string GlfwWindow::clipboard_text() const {
   if (x11_clipboard_) return x11_clipboard_->text();
+  if (wayland_clipboard_) {
+    if (std::optional<std::string> text = wayland_clipboard_->text()) return *std::move(text);
+  }
   const char* const text = glfwGetClipboardString(handle());
   return text == nullptr ? "" : text;
 }

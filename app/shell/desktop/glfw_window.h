@@ -9,6 +9,7 @@
 
 #include "app/paint/canvas.h"
 #include "app/shell/desktop/opengl_window.h"
+#include "app/shell/desktop/wayland_clipboard.h"
 #include "app/shell/desktop/x11_clipboard.h"
 #include "app/shell/window.h"
 
@@ -67,9 +68,10 @@ class GlfwWindow : public Window {
 
   OpenGlWindow opengl_;
   std::optional<X11Clipboard> x11_clipboard_;  // after GLFW, which it needs
-  std::string pasted_;                         // into a field of Dear ImGui
-  std::optional<gl::Canvas> canvas_;           // offscreen
-  std::optional<gl::Renderbuffer> depth_;      // of the canvas
+  std::optional<WaylandClipboard> wayland_clipboard_;
+  std::string pasted_;                     // into a field of Dear ImGui
+  std::optional<gl::Canvas> canvas_;       // offscreen
+  std::optional<gl::Renderbuffer> depth_;  // of the canvas
   bool was_told_of_focus_ = true;
   WindowSize restored_size_;  // the last one while neither maximised nor full screen
   struct {

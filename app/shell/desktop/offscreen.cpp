@@ -33,6 +33,7 @@
 #include "core/conventions.h"
 #include "core/divergence.h"
 #include "core/hand_measurement.h"
+#include "core/scene_shape.h"
 #include "core/simulate.h"
 #include "ghostforce_version.h"
 
@@ -115,8 +116,9 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
   Scene scene = request.scene;
   std::optional<CircleEnergyMeter> meter;
   if (request.mode == StageMode::round) {
-    const Circle circle = circle_inside(wall_of(scene.settings), scene.goal.points.back(),
-                                        {.radius = {}, .is_clockwise = makes_energy_clockwise(scene.settings)});
+    const Circle circle = circle_inside(
+        wall_near(scene.settings, scene.goal.points.back()), scene.goal.points.back(),
+        {.radius = {}, .is_clockwise = makes_energy_clockwise(flattened(scene.settings, scene.goal.points.back()))});
     go_round(scene, circle);
     meter.emplace();
     meter->start(scene.settings, circle);

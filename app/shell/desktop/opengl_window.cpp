@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <latch>
-#include <string_view>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -17,9 +16,6 @@
 #include <sys/mman.h>
 
 #include "app/base/failure.h"
-#include "app/shell/desktop/display_watch.h"
-#include "app/shell/desktop/renderer.h"
-#include "app/shell/window.h"
 
 // GLFW's header for it wants those of Xlib.
 extern "C" unsigned long glfwGetX11Window(GLFWwindow* window);

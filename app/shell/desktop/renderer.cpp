@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdlib>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>

@@ -8,16 +8,12 @@
 
 #include <GLFW/glfw3.h>
 
-#include "app/base/failure.h"
+#include "app/shell/desktop/clipboard_limits.h"
 #include "app/shell/desktop/xcb_connection.h"
 #include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
 namespace {
-
-// Half of what a window may stall before the motors fade.
-constexpr std::int64_t patience_ns = 250'000'000;
-constexpr std::uint32_t most_bytes = 1 << 20;
 
 // Asks for a selection, from a window that nobody sees.
 class SelectionReader {
@@ -51,7 +47,7 @@ class SelectionReader {
     xcb_convert_selection(connection_.get(), window_, selection, target, atom("GHOSTFORCE_SELECTION"),
                           XCB_CURRENT_TIME);
     xcb_flush(connection_.get());
-    const std::int64_t end_ns = monotonic_ns() + patience_ns;
+    const std::int64_t end_ns = monotonic_ns() + clipboard_patience_ns;
     pollfd waits{xcb_get_file_descriptor(connection_.get()), POLLIN, 0};
     for (;;) {
       while (const FromXcb<xcb_generic_event_t> event{xcb_poll_for_event(connection_.get())}) {
@@ -66,8 +62,8 @@ class SelectionReader {
 
   // Empty: it is too long, or comes in pieces, as only long texts do.
   std::optional<std::string> text_in(xcb_atom_t property) const {
-    const auto request =
-        xcb_get_property(connection_.get(), 1, window_, property, XCB_GET_PROPERTY_TYPE_ANY, 0, most_bytes / 4);
+    const auto request = xcb_get_property(connection_.get(), 1, window_, property, XCB_GET_PROPERTY_TYPE_ANY, 0,
+                                          most_clipboard_bytes / 4);
     const FromXcb<xcb_get_property_reply_t> reply(xcb_get_property_reply(connection_.get(), request, nullptr));
     if (!reply) return std::string();
     if (reply->bytes_after > 0 || reply->type == atom("INCR")) return std::nullopt;
@@ -105,13 +101,10 @@ std::string X11Clipboard::text() const {
   if (owner == XCB_WINDOW_NONE) return {};
   if (owner == owner_) return copied_;
   const std::optional<xcb_atom_t> property = reader.ask(clipboard, reader.atom("UTF8_STRING"));
-  if (!property) {
-    throw Failure(ExitCode::file_trouble,
-                  "The program that owns the clipboard does not answer. Copy the text again, from another program.");
-  }
+  if (!property) throw_clipboard_is_silent();
   if (*property == XCB_ATOM_NONE) return {};
   if (auto text = reader.text_in(*property)) return *std::move(text);
-  throw Failure(ExitCode::file_trouble, "The text on the clipboard is too long. Copy less of it.");
+  throw_clipboard_is_too_long();
 }
 
 }  // namespace ghostforce

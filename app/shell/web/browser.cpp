@@ -2,26 +2,16 @@
 
 #include <emscripten.h>
 
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 
 EM_JS_DEPS(browser, "$UTF8ToString,$stringToNewUTF8")
 
 // clang-format off
-EM_JS(char*, read_query, (const char* name), {
-  return stringToNewUTF8(new URLSearchParams(location.search).get(UTF8ToString(name)) ?? "");
-})
-EM_JS(bool, is_in_query, (const char* name), {
-  return new URLSearchParams(location.search).has(UTF8ToString(name));
-})
-EM_JS(char*, read_fragment, (), {
-  const text = location.hash.slice(1);
-  try {
-    return stringToNewUTF8(decodeURIComponent(text));
-  } catch (error) {
-    return stringToNewUTF8(text);
-  }
-})
+EM_JS(char*, read_query, (), { return stringToNewUTF8(location.search); })
+EM_JS(char*, read_fragment, (), { return stringToNewUTF8(location.hash.slice(1)); })
 EM_JS(void, write_fragment, (const char* text), {
   try {
     history.replaceState(null, "", Module["addressWith"](encodeURI(UTF8ToString(text))));
@@ -37,18 +27,38 @@ EM_JS(bool, take_changed_fragment, (), {
   return has_changed;
 })
 EM_JS(bool, is_in_sight, (), { return !document.hidden; })
+EM_JS(bool, prefers_reduced_motion, (), {
+  const query = Module["reducedMotion"] ||= matchMedia("(prefers-reduced-motion: reduce)");
+  return query.matches;
+})
+EM_JS(bool, read_forced_colours, (int* colours), {
+  const query = Module["forcedColours"] ||= matchMedia("(forced-colors: active)");
+  if (!query.matches) return false;
+  const probe = document.createElement("i");
+  probe.style.forcedColorAdjust = "none";
+  document.body.append(probe);
+  for (const name of ["Canvas", "CanvasText", "LinkText", "Highlight", "GrayText"]) {
+    probe.style.color = name;
+    const [red, green, blue] = getComputedStyle(probe).color.match(/[0-9]+/g);
+    HEAP32[colours >> 2] = (red << 16) | (green << 8) | blue;
+    colours += 4;
+  }
+  probe.remove();
+  return true;
+})
 EM_JS(bool, has_keys, (), { return document.hasFocus(); })
 EM_JS(void, write_clipboard, (const char* text), {
   const words = UTF8ToString(text);
   Module["clipboardText"] = words;
   const by_hand = () => {
+    const focused = document.activeElement;
     const field = document.createElement("textarea");
     field.value = words;
     document.body.append(field);
     field.select();
     document.execCommand("copy");
     field.remove();
-    document.getElementById("stage").focus();
+    focused?.focus();
   };
   // Only pages from a safe place have a clipboard.
   if (navigator.clipboard) navigator.clipboard.writeText(words).catch(by_hand);
@@ -60,6 +70,7 @@ EM_JS(bool, take_pasted, (), {
   Module["hasPasted"] = false;
   return has_pasted;
 })
+EM_JS(bool, may_fill_screen, (), { return document.fullscreenEnabled ?? false; })
 EM_JS(void, switch_full_screen, (), {
   const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
   done?.catch(() => {});
@@ -77,10 +88,16 @@ EM_JS(void, listen_to_document, (), {
   stage.addEventListener("touchstart", () => stage.focus());
 })
 EM_JS(void, set_unsaved, (bool has_unsaved), { Module["hasUnsaved"] = has_unsaved; })
-EM_JS(void, write_spoken, (const char* words), {
-  document.getElementById("spoken").textContent = UTF8ToString(words);
+EM_JS(void, write_controls, (const char* json), { Module["showControls"](JSON.parse(UTF8ToString(json))); })
+EM_JS(bool, is_canvas_focused, (), { return document.activeElement === Module["canvas"]; })
+EM_JS(bool, is_nothing_focused, (), { return document.activeElement === document.body; })
+EM_JS(bool, is_within_another_page, (), { return window.top !== window.self; })
+EM_JS(void, blur_canvas, (), { Module["canvas"].blur(); })
+EM_JS(void, be_ready, (const char* embedder), { Module["showReady"](UTF8ToString(embedder)); })
+EM_JS(void, hand_on_lesson, (const char* lesson), { Module["tellLesson"]?.(JSON.parse(UTF8ToString(lesson))); })
+EM_JS(void, show_way_back, (const char* words, const char* button), {
+  Module["offerToLoadAgain"](UTF8ToString(words), UTF8ToString(button));
 })
-EM_JS(void, be_ready, (), { Module["showReady"](); })
 EM_JS(void, show_problem, (const char* words), { Module["showProblem"](UTF8ToString(words)); })
 // clang-format on
 
@@ -94,12 +111,8 @@ std::string text_of(char* text) {
 
 }  // namespace
 
-std::string query(const std::string& name) {
-  return text_of(read_query(name.c_str()));
-}
-
-bool has_query(const std::string& name) {
-  return is_in_query(name.c_str());
+std::string query() {
+  return text_of(read_query());
 }
 
 std::string fragment() {
@@ -126,6 +139,21 @@ bool is_visible() {
   return is_in_sight();
 }
 
+bool wants_less_motion() {
+  return prefers_reduced_motion();
+}
+
+std::optional<SystemColours> forced_colours() {
+  std::array<int, 5> read{};
+  if (!read_forced_colours(read.data())) return std::nullopt;
+  const auto colour = [&](std::size_t i) { return rgb(static_cast<std::uint32_t>(read[i])); };
+  return SystemColours{.canvas = colour(0),
+                       .canvas_text = colour(1),
+                       .link_text = colour(2),
+                       .highlight = colour(3),
+                       .gray_text = colour(4)};
+}
+
 bool has_focus() {
   return has_keys();
 }
@@ -146,6 +174,10 @@ bool take_paste() {
   return take_pasted();
 }
 
+bool offers_full_screen() {
+  return may_fill_screen();
+}
+
 void toggle_full_screen() {
   switch_full_screen();
 }
@@ -162,12 +194,32 @@ void keep_from_leaving(bool has_unsaved) {
   set_unsaved(has_unsaved);
 }
 
-void tell_listeners(const std::string& words) {
-  write_spoken(words.c_str());
+void show_controls(const std::string& json) {
+  write_controls(json.c_str());
 }
 
-void tell_ready() {
-  be_ready();
+bool canvas_has_keys() {
+  return is_canvas_focused() || (is_nothing_focused() && !is_within_another_page());
+}
+
+bool canvas_has_focus() {
+  return is_canvas_focused();
+}
+
+void leave_canvas() {
+  blur_canvas();
+}
+
+void tell_ready(const std::string& embedder) {
+  be_ready(embedder.c_str());
+}
+
+void tell_lesson(const std::string& lesson) {
+  hand_on_lesson(lesson.c_str());
+}
+
+void offer_to_load_again(const std::string& words, const std::string& button) {
+  show_way_back(words.c_str(), button.c_str());
 }
 
 void tell_problem(const std::string& words) {

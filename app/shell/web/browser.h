@@ -1,14 +1,16 @@
 // What the page asks of the browser that Emscripten's headers have no function for. Main thread.
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "app/picture/system_theme.h"
 
 namespace ghostforce::browser {
 
-// Of the page's address: the value of ?NAME=VALUE, decoded; empty: it is not there, or empty.
-std::string query(const std::string& name);
-bool has_query(const std::string& name);
-// What follows the #, decoded; empty: nothing.
+// Of the page's address, as it is written there (app/shell/page_address.h): what stands from the ? to the #, and what
+// follows the #. Empty: nothing.
+std::string query();
 std::string fragment();
 // From now on that follows the #, without a new entry in the browser's history.
 void set_fragment(const std::string& text);
@@ -23,6 +25,10 @@ bool take_fragment_change();
 // Whether the tab is in sight.
 bool is_visible();
 bool has_focus();
+// What the person has set for all pages: that they move as little as possible.
+bool wants_less_motion();
+// The colours that the person has set for all pages; empty: each page has its own. Slow: not in each frame.
+std::optional<SystemColours> forced_colours();
 // The tab's own clock since the page began to load [s].
 double clock_s();
 
@@ -32,6 +38,8 @@ std::string pasted_text();
 // The person has pasted something since the last call.
 bool take_paste();
 
+// Whether the browser lets this page fill the screen at all.
+bool offers_full_screen();
 void toggle_full_screen();
 bool is_full_screen();
 
@@ -41,11 +49,22 @@ void listen();
 // Whether leaving the page would lose something: then the browser asks before it does.
 void keep_from_leaving(bool has_unsaved);
 
-// For screen readers.
-void tell_listeners(const std::string& words);
+// The words and controls beside the canvas (page_controls.h), as JSON.
+void show_controls(const std::string& json);
 
-// Tells the page's own script that the first picture is there.
-void tell_ready();
+// Whether keys are meant for the canvas: it has the focus, or nothing has and the page is no part of another one.
+bool canvas_has_keys();
+bool canvas_has_focus();
+// The focus leaves the canvas, and with it the keys.
+void leave_canvas();
+
+// Tells the page's own script that the first picture is there; from now on it exchanges messages with the page around
+// this one, if that is of this origin. Empty: with none.
+void tell_ready(const std::string& embedder);
+// What of a lesson has changed, as JSON, for that page.
+void tell_lesson(const std::string& lesson);
+// Over the picture: words, and a button that loads the page again. Empty words: they go.
+void offer_to_load_again(const std::string& words, const std::string& button);
 // Shows these words in place of the program.
 void tell_problem(const std::string& words);
 

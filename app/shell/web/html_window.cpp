@@ -16,6 +16,7 @@
 #include "app/shell/web/browser.h"
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
+#include "app/widgets/focus.h"
 
 namespace ghostforce {
 namespace {
@@ -54,8 +55,10 @@ struct HtmlWindow::Events {
   static bool key(int type, const EmscriptenKeyboardEvent* event, void* data) {
     HtmlWindow& window = window_of(data);
     const bool is_down = type == EMSCRIPTEN_EVENT_KEYDOWN;
-    if (is_down && browser::shows_dialog()) return false;  // it has the keyboard
+    if (is_down && (browser::shows_dialog() || !browser::canvas_has_keys())) return false;
     const KeyPress press{key_of_code(event->code), modifiers_of(*event), event->repeat};
+    if (press.key == key::tab && !(window.uses_tab() && browser::canvas_has_focus())) return false;
+    if (is_down && press.key == key::escape && !window.uses_escape()) browser::leave_canvas();
     const std::uint32_t character = only_character(event->key);
     // With Shift a key types another sign than the one that it is called by; letters stay letters.
     const bool is_letter = character < 0x80U && std::isalpha(static_cast<int>(character)) != 0;
@@ -188,6 +191,15 @@ void HtmlWindow::listen() {
   emscripten_set_webglcontextrestored_callback(canvas, this, early, Events::context);
   browser::listen();
   listen_for_files_from_outside();
+}
+
+bool HtmlWindow::uses_tab() const {
+  return key_uses_.tab || ImGui::GetIO().WantTextInput;
+}
+
+bool HtmlWindow::uses_escape() const {
+  const bool has_menu = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+  return key_uses_.escape || has_menu || ImGui::GetIO().WantTextInput || ghostforce::has_focus();
 }
 
 bool HtmlWindow::take_restored() noexcept {

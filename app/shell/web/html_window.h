@@ -21,6 +21,16 @@ class HtmlWindow final : public Window {
   bool can_draw() const noexcept { return !is_lost_; }
   bool take_restored() noexcept;
   int context_losses() const noexcept { return context_losses_; }
+  // Two fingers have moved the view since the last call, and have been lifted.
+  bool take_end_of_pinch() noexcept { return touches_.take_end_of_two(); }
+
+  // Which keys the picture has a use for. Those that it has none for lead away from it: Tab to the page's next element,
+  // and Escape to no element at all.
+  struct KeyUses {
+    bool tab = false;
+    bool escape = false;
+  };
+  void set_key_uses(const KeyUses& uses) noexcept { key_uses_ = uses; }
 
   // A tab belongs to the browser: it closes, moves and resizes it.
   bool should_close() const override { return false; }
@@ -50,11 +60,14 @@ class HtmlWindow final : public Window {
  private:
   struct Events;
   void listen();
+  bool uses_tab() const;
+  bool uses_escape() const;
 
   std::uintptr_t context_ = 0;
   WindowSize size_;    // of the canvas [CSS pixels]
   WindowSize pixels_;  // [px]
   TouchGestures touches_;
+  KeyUses key_uses_;
   bool is_lost_ = false;
   bool is_restored_ = false;
   int context_losses_ = 0;

@@ -8,11 +8,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/base/quoted.h"
 #include "app/files/scene_file.h"
+#include "app/shell/page_actions.h"
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page.h"
 #include "app/shell/web/page_state.h"
 #include "app/state/lesson_file.h"
+#include "app/state/stage_language.h"
 
 namespace {
 
@@ -27,8 +30,8 @@ const char* answer(std::string text) {
 
 void stop_with(const char* why) {
   emscripten_cancel_main_loop();
-  ghostforce::browser::tell_problem(std::string("This page has a mistake and has stopped: ") + why +
-                                    ". Reload it to go on.");
+  const std::string& language = page->application().session().language;
+  ghostforce::browser::tell_problem(ghostforce::filled(ghostforce::stage_language(language).page.stopped, why));
 }
 
 void frame() {
@@ -65,9 +68,33 @@ EMSCRIPTEN_KEEPALIVE const char* ghostforce_replay(const char* recording) {
   }
 }
 
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_show(const char* line) {
+  return answer(ghostforce::show_line(page->application(), line));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_begin_lesson(const char* name) {
+  return answer(ghostforce::begin_lesson_by_name(page->application(), name));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_act(const char* name) {
+  return answer(ghostforce::act_by_name(page->application(), name));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* ghostforce_actions() {
+  return answer(nlohmann::json(ghostforce::names_of(ghostforce::page_actions())).dump());
+}
+
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_on_page(double x_m, double y_m) {
   const ghostforce::Vector<2> place = ghostforce::on_page(*page, {x_m, y_m});
   return answer(nlohmann::json::array({place.x, place.y}).dump());
+}
+
+EMSCRIPTEN_KEEPALIVE void ghostforce_use_control(const char* id, double value) {
+  try {
+    page->use_control(id, value);
+  } catch (const std::exception& error) {
+    page->application().show_notice(error.what(), true);
+  }
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_scenes() {

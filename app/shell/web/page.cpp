@@ -1,6 +1,7 @@
 #include "app/shell/web/page.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,14 +9,21 @@
 
 #include "app/base/failure.h"
 #include "app/base/language.h"
+#include "app/base/quoted.h"
 #include "app/files/read_error.h"
 #include "app/files/scene_file.h"
+#include "app/picture/camera.h"
+#include "app/picture/screen_box.h"
+#include "app/shell/page_address.h"
 #include "app/shell/preferences.h"
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page_inputs.h"
+#include "app/shell/web/page_lesson.h"
+#include "app/state/apply.h"
 #include "app/state/lesson_file.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
+#include "app/state/stage_language.h"
 #include "device/servo/servo_driver.h"
 #include "device/virtual_falcon/virtual_link.h"
 
@@ -25,6 +33,9 @@ namespace {
 constexpr const char* first_scene = "wall45";
 // For what the page tells beside the picture.
 constexpr double look_every_s = 0.5;
+// In less room its panels leave nothing of the scene, and their words do not fit [CSS pixels].
+constexpr int least_workbench_width = 640;
+constexpr int least_workbench_height = 360;
 
 // The servo's ticks of a frame, and how long they took.
 class MeasuredServoDriver final : public ServoDriver {
@@ -47,15 +58,18 @@ class MeasuredServoDriver final : public ServoDriver {
 }  // namespace
 
 struct Page::Start {
-  bool is_kiosk = browser::has_query("kiosk");
-  StoredPreferences stored = is_kiosk ? for_visitors(load_preferences()) : load_preferences();
-  LessonProgress progress = is_kiosk ? LessonProgress{} : load_lesson_progress(stored.remarks);
+  PageAddress address = read_page_address(browser::query());
+  bool is_kiosk = address.is_kiosk;
+  bool keeps = !is_kiosk && !address.is_for_new_person;
+  StoredPreferences stored = preferences_for(address);
+  LessonProgress progress = keeps ? load_lesson_progress(stored.remarks) : LessonProgress{};
   std::shared_ptr<const Lesson> lesson;
   std::optional<SetUp> set_up;
   Scene scene = load_scene(first_scene);
 
   // A mistake in the address is told, and the page opens without it.
   Start() {
+    std::ranges::copy(address.problems, std::back_inserter(stored.remarks));
     const auto attempt = [this](const char* what, const auto& act) {
       try {
         act();
@@ -63,19 +77,24 @@ struct Page::Start {
         stored.remarks.push_back(fmt::format("{} in the address of this page cannot be used: {}", what, error.what()));
       }
     };
-    if (const std::string name = browser::query("lesson"); !name.empty()) {
-      attempt("The lesson", [&] { lesson = std::make_shared<const Lesson>(load_lesson(name)); });
+    if (!address.lesson.empty()) {
+      attempt("The lesson", [&] { lesson = std::make_shared<const Lesson>(load_lesson(address.lesson)); });
     }
-    if (const std::string line = browser::fragment(); !line.empty() && !lesson && !is_kiosk) {
-      attempt("The set-up", [&] { set_up = read_set_up_line(line); });
+    if (const std::string fragment = browser::fragment(); !fragment.empty() && !lesson && !is_kiosk) {
+      attempt("The set-up", [&] { set_up = read_set_up_line(without_percent_signs(fragment)); });
     }
     if (set_up) {
       scene = set_up->scene;
       stored.preferences.face = set_up->face;
     }
     Preferences& preferences = stored.preferences;
-    const std::string asked_for = browser::query("language");
-    preferences.language = wanted_language(asked_for.empty() ? preferences.language : asked_for, locale_variables());
+    preferences.language =
+        wanted_language(address.language.empty() ? preferences.language : address.language, locale_variables());
+  }
+
+  static StoredPreferences preferences_for(const PageAddress& address) {
+    if (address.is_for_new_person) return {};
+    return address.is_kiosk ? for_visitors(load_preferences()) : load_preferences();
   }
 };
 
@@ -101,23 +120,31 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
 
 Page::Page() : Page(Start()) {}
 
-Page::Page(Start start) : is_kiosk_(start.is_kiosk), application_(window_, start.scene, options_for(start, times_)) {
+Page::Page(Start start)
+    : is_kiosk_(start.is_kiosk),
+      keeps_(start.keeps),
+      fits_(start.address.fits),
+      embedder_(start.address.embedder),
+      application_(window_, start.scene, options_for(start, times_)) {
   const StoredPreferences& stored = start.stored;
   if (!stored.remarks.empty()) application_.show_notice(fmt::format("{}", fmt::join(stored.remarks, "\n\n")), true);
   apply(stored.preferences, application_.session());
   application_.session().offers_audience = false;
+  application_.session().offers_full_screen = browser::offers_full_screen();
   application_.session().offers_speech = false;  // a screen reader reads the page as it is
-  if (!is_kiosk_) {
+  if (keeps_) {
     preference_keeper_.emplace(stored.preferences, application_.session());
     progress_keeper_.emplace(start.progress);
   }
+  follow_system();
+  follow_colours();
   address_ = line_ = set_up_line(set_up_of(application_.session(), application_.shown()));
   application_.start();
   last_s_ = browser::clock_s();
 }
 
 void Page::keep() {
-  if (is_kiosk_) return;
+  if (!keeps_) return;
   try {
     preference_keeper_->keep(application_.session());
     progress_keeper_->keep(application_.session().lesson_progress);
@@ -126,25 +153,86 @@ void Page::keep() {
   }
 }
 
+// What the person has set for all pages.
+void Page::follow_system() {
+  const bool is_reduced = browser::wants_less_motion();
+  if (is_reduced != application_.session().system_reduces_motion) application_.act(FollowSystemMotion{is_reduced});
+}
+
+void Page::follow_colours() {
+  const std::optional<SystemColours> forced = browser::forced_colours();
+  if (std::exchange(forced_colours_, forced) == forced) return;
+  application_.session().system_theme = forced ? std::make_shared<const Theme>(system_theme(*forced)) : nullptr;
+}
+
 // Somebody has followed a link to another moment of this page, or typed one.
 void Page::follow_address() {
   if (is_kiosk_ || !browser::take_fragment_change()) return;
-  const std::string line = browser::fragment();
-  if (line.empty()) return;
+  const std::string fragment = browser::fragment();
+  if (fragment.empty()) return;
   try {
-    application_.show_set_up(line);
+    application_.show_set_up(without_percent_signs(fragment));
   } catch (const std::exception& error) {
     application_.show_notice(fmt::format("The set-up in the address of this page cannot be used: {}", error.what()),
                              true);
   }
 }
 
-// The stage's sentence, for those who do not see it: screen readers read what changes there.
-void Page::tell_listeners() {
-  std::string sentence = application_.stage_reading().sentence;
-  if (sentence == spoken_) return;
-  browser::tell_listeners(sentence);
-  spoken_ = std::move(sentence);
+// On the stage Tab leads on to the controls beside it. The workbench's own are in the picture alone, as are dialogs.
+void Page::follow_keys() {
+  const Session& session = application_.session();
+  window_.set_key_uses(
+      {.tab = session.face == Face::workbench || session.dialog != Dialog::none, .escape = escape_has_use(session)});
+}
+
+// What somebody has answered must not be lost between two looks.
+void Page::tell_embedder() {
+  if (embedder_.empty()) return;
+  std::string lesson = lesson_json(application_.session()).dump();
+  if (lesson == lesson_) return;
+  browser::tell_lesson(lesson);
+  lesson_ = std::move(lesson);
+}
+
+// A phone that is turned has another picture; where the address asks for it, so has each other size.
+void Page::follow_size() {
+  const WindowSize size = window_.restored_size();
+  const WindowSize before = std::exchange(seen_size_, size);
+  const bool is_same = before.width == size.width && before.height == size.height;
+  const bool is_turned = before.width > 0 && (before.width > before.height) != (size.width > size.height);
+  Session& session = application_.session();
+  if (!is_same && (fits_ || is_turned)) session.fits_view = true;
+  session.has_room_for_workbench = size.width >= least_workbench_width && size.height >= least_workbench_height;
+  if (session.has_room_for_workbench || session.face != Face::workbench || size.width == 0) return;
+  application_.act(ShowFace{Face::stage});
+  application_.show_notice(std::string(stage_language(session.language).refusals.needs_wider_window), false);
+}
+
+// Fingers go farther than they mean to: a view without hand and handle is of no use to anybody.
+void Page::follow_fingers() {
+  Session& session = application_.session();
+  if (!window_.take_end_of_pinch() || session.face != Face::stage) return;
+  const Snapshot snapshot = application_.shown().snapshot;
+  const Camera& camera = application_.screen().panes().front().camera;
+  const auto is_seen = [&](const Vector<2>& world) {
+    return contains(ScreenBox{Vector<2>(0.0), camera.size}, to_screen(camera, world));
+  };
+  const bool all_seen =
+      is_seen(snapshot.goal) && is_seen(snapshot.strategies[index_of(session.settings.active)].device);
+  session.fits_view = session.fits_view || !all_seen;
+}
+
+// Most browsers bring the graphics back within a second. Where one never does, a page that is loaded again has them: the
+// address holds what is shown, and what was chosen is kept.
+void Page::offer_way_back() {
+  constexpr int patience = 180;  // frames: 3 s, of a tab that is in sight
+  const bool was_offered = frames_without_graphics_ >= patience;
+  frames_without_graphics_ = window_.can_draw() ? 0 : std::min(frames_without_graphics_ + 1, patience);
+  const bool is_offered = frames_without_graphics_ == patience;
+  if (is_offered == was_offered) return;
+  const StageLanguage::Page& words = stage_language(application_.session().language).page;
+  if (is_offered) keep();
+  browser::offer_to_load_again(is_offered ? std::string(words.graphics_lost) : "", std::string(words.load_again));
 }
 
 // Once the person has left a new set-up alone for a moment.
@@ -163,22 +251,30 @@ void Page::frame() {
   if (!browser::is_visible()) return;          // nobody looks: time stands still
   constexpr double longest_interval_s = 0.25;  // a tab that was hidden goes on where it was
   follow_address();
+  follow_system();
   application_.update(std::min(interval_s, longest_interval_s));
   if (window_.take_restored()) application_.restart_drawing();
+  offer_way_back();
   if (window_.can_draw() && (pacer_.is_due(drawn_s_, now_s) || application_.needs_drawing())) {
     application_.draw();
     drawn_s_ = now_s;
     keep();
     if (++frames_ == 1) {
       times_.ready_s = browser::clock_s();
-      browser::tell_ready();
+      browser::tell_ready(embedder_);
     }
+    tell_embedder();
   }
   pacer_.waited(window_.poll(0.0), now_s);
-  if (now_s - looked_at_s_ >= look_every_s) {
+  follow_size();
+  follow_fingers();
+  follow_keys();
+  const bool is_later = now_s - looked_at_s_ >= look_every_s;
+  if (is_later || controls_.has_news()) controls_.show(application_, is_later);
+  if (is_later) {
     looked_at_s_ = now_s;
     browser::keep_from_leaving(application_.reading().recording.is_on);
-    tell_listeners();
+    follow_colours();
     write_address();
   }
   times_.script.add(browser::clock_s() - now_s);

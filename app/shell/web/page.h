@@ -7,12 +7,15 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "app/picture/system_theme.h"
 #include "app/shell/application.h"
 #include "app/shell/frame_pacer.h"
 #include "app/shell/preferences.h"
 #include "app/shell/web/html_window.h"
+#include "app/shell/web/page_controls.h"
 #include "app/state/lesson_progress.h"
 
 namespace ghostforce {
@@ -54,6 +57,9 @@ class Page {
   // Once for each of the browser's.
   void frame();
 
+  // Somebody has used one of the controls beside the canvas.
+  void use_control(std::string_view id, double value) { controls_.use(application_, id, value); }
+
   Application& application() noexcept { return application_; }
   const HtmlWindow& window() const noexcept { return window_; }
 
@@ -71,11 +77,20 @@ class Page {
   static ApplicationOptions options_for(const Start& start, Times& times);
 
   void keep();
+  void follow_system();
+  void follow_colours();
   void follow_address();
   void write_address();
-  void tell_listeners();
+  void tell_embedder();
+  void follow_size();
+  void follow_fingers();
+  void offer_way_back();
+  void follow_keys();
 
   bool is_kiosk_;
+  bool keeps_;  // what is chosen and done
+  bool fits_;   // the picture to each size anew
+  std::string embedder_;
   Times times_;
   HtmlWindow window_;
   Application application_;
@@ -86,9 +101,13 @@ class Page {
   double drawn_s_ = 0.0;
   std::uint64_t frames_ = 0;
   double looked_at_s_ = 0.0;
-  std::string line_;     // of the set-up, at the last look
-  std::string address_;  // that stands in the address
-  std::string spoken_;   // for screen readers
+  std::optional<SystemColours> forced_colours_;
+  std::string line_;            // of the set-up, at the last look
+  std::string address_;         // that stands in the address
+  std::string lesson_{"null"};  // as the page around this one knows it
+  WindowSize seen_size_;
+  int frames_without_graphics_ = 0;  // one after another
+  PageControls controls_;
 };
 
 }  // namespace ghostforce

@@ -15,8 +15,8 @@
 #include "app/runs/replay.h"
 #include "app/shell/web/browser.h"
 #include "app/shell/web/page.h"
+#include "app/shell/web/page_lesson.h"
 #include "app/state/faces_and_modes.h"
-#include "app/state/lesson_guide.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "core/simulate.h"
@@ -31,8 +31,6 @@ constexpr std::array dialog_names{"none",       "help",       "device",         
                                   "open",       "save_scene", "save_picture",     "save_clip",
                                   "save_plots", "palette",    "reset_preferences"};
 static_assert(dialog_names.size() == static_cast<std::size_t>(Dialog::reset_preferences) + 1);
-constexpr std::array outcome_names{"open", "right", "wrong", "shown"};
-constexpr std::array question_names{"", "choose", "guess", "task"};
 
 Json point(const Vector<2>& value) {
   return Json::array({value.x, value.y});
@@ -41,23 +39,6 @@ Json point(const Vector<2>& value) {
 Json milliseconds(const FrameTimes& times) {
   return {
       {"median", 1e3 * times.quantile(0.5)}, {"p95", 1e3 * times.quantile(0.95)}, {"worst", 1e3 * times.quantile(1.0)}};
-}
-
-Json lesson_json(const Session& session) {
-  if (!session.lesson) return nullptr;
-  const LessonState& state = *session.lesson;
-  const LessonStep& step = lesson_step(state);
-  const bool is_open = lesson_step_state(state).outcome == LessonOutcome::open;
-  Json json{{"name", state.lesson->name},
-            {"step", state.step + 1},
-            {"steps", state.lesson->steps.size()},
-            {"is_complete", state.is_finished},
-            {"question", nullptr},
-            {"outcome", outcome_names[static_cast<std::size_t>(lesson_step_state(state).outcome)]},
-            {"is_open", step.question != LessonQuestion::none && is_open},
-            {"right_answer", step.right_answer + 1}};
-  if (step.question != LessonQuestion::none) json["question"] = question_names[static_cast<std::size_t>(step.question)];
-  return json;
 }
 
 }  // namespace
@@ -76,8 +57,9 @@ std::string page_state(Page& page) {
       {"face", face_name(session.face)},
       {"mode", stage_mode_name(session.stage.mode)},
       {"strategy", strategy_catalog()[index_of(session.settings.active)].name},
-      {"theme", session.appearance.theme->name},
+      {"theme", shown_theme(session).name},
       {"scale", session.appearance.scale},
+      {"reduces_motion", reduces_motion(session)},
       {"language", session.language},
       {"paused", session.paused},
       {"tick", shown.snapshot.tick},
@@ -116,8 +98,9 @@ std::string simulated_rows(const std::string& scene_name, const std::string& str
   scene.settings.active = *strategy;
   fmt::memory_buffer rows;
   rows.append(run_header(scene));
-  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot) {
+  simulate(scene, last_tick(scene), [&](const Snapshot& snapshot, const TickState<2>& state) {
     append_run_row(rows, snapshot, *strategy);
+    append_efforts(rows, scene.settings, state.strategies[index_of(*strategy)].contact.efforts);
     rows.push_back('\n');
   });
   return fmt::to_string(rows);

@@ -37,7 +37,7 @@ void TouchGestures::follow(std::span<const Vector<2>> fingers, double now_s) {
   if (fingers.empty()) {
     if (landing_) press_one(landing_->place);
     press({});
-    waits_for_lift_ = false;
+    if (std::exchange(waits_for_lift_, false)) two_have_ended_ = true;
     io.AddMousePosEvent(-FLT_MAX, -FLT_MAX);  // no finger rests on anything
     io.AddMouseSourceEvent(ImGuiMouseSource_Mouse);
   } else if (fingers.size() == 1) {

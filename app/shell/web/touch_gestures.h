@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "core/conventions.h"
 
@@ -19,6 +20,8 @@ class TouchGestures {
   void follow(std::span<const Vector<2>> fingers, double now_s);
   // Between those, often.
   void advance(double now_s);
+  // Two fingers have moved the view since the last call, and have been lifted.
+  bool take_end_of_two() noexcept { return std::exchange(two_have_ended_, false); }
 
  private:
   struct Landing {
@@ -30,8 +33,9 @@ class TouchGestures {
 
   std::optional<int> pressed_;      // of the mouse's buttons
   std::optional<Landing> landing_;  // of a finger that does not press yet
-  bool waits_for_lift_ = false;     // after two fingers, one that is left means nothing
-  double distance_ = 0.0;           // between two
+  bool two_have_ended_ = false;
+  bool waits_for_lift_ = false;  // after two fingers, one that is left means nothing
+  double distance_ = 0.0;        // between two
 };
 
 }  // namespace ghostforce

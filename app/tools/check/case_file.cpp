@@ -1,9 +1,7 @@
 #include "app/tools/check/case_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -18,6 +16,7 @@
 #include "app/files/scene_file.h"
 #include "app/files/toml_document.h"
 #include "app/state/lesson_file.h"
+#include "app/state/permit.h"
 #include "app/state/stage_language.h"
 
 namespace ghostforce {
@@ -298,6 +297,16 @@ std::vector<CaseKey> keys_into(CaseReading& at) {
   };
 }
 
+void refuse_what_general_scenes_lack(CaseReading& at) {
+  const PictureRequest& request = at.request;
+  if (!is_general(request.scene.settings)) return;
+  if (request.face == Face::workbench) {
+    at.reader.refuse(not_on_workbench, "give view = \"stage\"", at.reader.find("", "scene"));
+  } else if (permit(session_of(request.scene), ToggleMode{request.mode})) {
+    at.reader.refuse("that mode does not show scenes of format 2 yet", "leave it out", at.reader.find("", "mode"));
+  }
+}
+
 void read_keys(CaseReading& at) {
   const std::optional<TomlValue> named = at.reader.find("", "lesson");
   const std::vector<CaseKey> case_keys = keys_into(at);
@@ -315,6 +324,7 @@ void read_keys(CaseReading& at) {
     if (wrong && !named) wrong->refuse("belongs to a lesson", "name one with lesson");
   }
   if (at.lesson) show_lesson_of(*named, at);
+  if (!named) refuse_what_general_scenes_lack(at);
   const bool has_number = std::ranges::any_of(quantity_catalog(), [&](const Quantity& quantity) {
     return at.reader.find("expect", quantity.column).has_value();
   });

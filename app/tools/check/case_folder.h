@@ -1,7 +1,9 @@
-// A folder of cases. Not for the servo thread.
+// A folder of cases: what it holds, and its goldens, written anew on purpose. Main thread only: that draws.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/tools/check/case_file.h"
@@ -20,5 +22,15 @@ const Case* find_case(const std::vector<Case>& cases, std::string_view name) noe
 // name that no case has; `option` is where it was given, for the message.
 std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std::vector<std::string>& names,
                                       std::string_view option);
+
+// Draws these cases, and then writes NAME.png and the table [golden] of NAME.toml for each, all of them or none. A
+// golden that is equal to what is drawn stays as it is. `renderer`: empty for the usual one. Returns a line per case
+// about what was done. Throws Failure: wrong_call for a case without a golden, before anything is drawn; file_trouble;
+// no_display; interrupted.
+std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
+                                        std::optional<Renderer> renderer);
+
+// The one command that stores a case's picture as it is drawn now.
+std::string update_command(std::string_view folder, std::string_view name);
 
 }  // namespace ghostforce

@@ -4,7 +4,6 @@
 #include <array>
 #include <climits>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 

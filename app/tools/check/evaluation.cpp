@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <map>
-#include <optional>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 #include <errno.h>
 #include <fmt/format.h>
@@ -26,7 +23,6 @@
 #include "app/files/output_file.h"
 #include "app/shell/desktop/renderer.h"
 #include "app/tools/check/rendered_cases.h"
-#include "app/tools/check/verdict.h"
 
 namespace ghostforce {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/tools/check/update.h"
+#include "app/tools/check/case_folder.h"
 
 #include <algorithm>
 #include <deque>

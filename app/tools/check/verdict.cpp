@@ -5,7 +5,6 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <system_error>
 #include <tuple>
 #include <type_traits>
@@ -19,7 +18,7 @@
 #include "app/files/png_file.h"
 #include "app/files/png_writer.h"
 #include "app/files/read_error.h"
-#include "app/tools/check/update.h"
+#include "app/tools/check/case_folder.h"
 
 namespace ghostforce {
 namespace {

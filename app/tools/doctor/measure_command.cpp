@@ -45,14 +45,14 @@ std::string now_in_words() {
 }
 
 // A handle that has a weight, and joints that rub: as a real one.
-VirtualLink::Options rehearsal(const InputOptions& options) {
+VirtualLink::Options rehearsal(const InjectedFault& fault) {
   VirtualLink::Options rehearsal;
   // Where nobody watches, time need not pass.
   rehearsal.clock = isatty(STDIN_FILENO) != 0 ? VirtualLink::Clock::monotonic : VirtualLink::Clock::stepped;
   rehearsal.arm.weight = 0.3;
   rehearsal.arm.friction = 0.04;
   rehearsal.hand.homes_when_asked = true;
-  rehearsal.injected_fault = options.injected_fault;
+  rehearsal.injected_fault = fault;
   return rehearsal;
 }
 
@@ -92,15 +92,15 @@ void write_calibration(const MeasureCall& call, std::optional<OutputFile>& file,
 
 int measure_with_doctor(const MeasureCall& call) {
   emergency_stop::refuse_to_be_stopped();
-  InputOptions options = call.input;
+  FalconOptions options = call.falcon;
   std::unique_ptr<FalconLink> link;
   std::unique_ptr<MeasuredPerson> simulated;
   if (call.is_virtual) {
-    auto there = std::make_unique<VirtualLink>(rehearsal(options));
+    auto there = std::make_unique<VirtualLink>(rehearsal(call.injected_fault));
     simulated = std::make_unique<MeasuredPerson>(*there, MeasuredPerson::Habits{});
     link = std::move(there);
-    if (options.falcon.firmware.empty()) options.falcon.firmware = practice_firmware(practice_words);
-    options.falcon.is_virtual = true;
+    if (options.firmware.empty()) options.firmware = practice_firmware(practice_words);
+    options.is_virtual = true;
   } else {
     link = std::make_unique<FtdiLink>(call.cable);
   }
@@ -111,15 +111,15 @@ int measure_with_doctor(const MeasureCall& call) {
   std::error_code error;
   const bool is_there = call.calibration && std::filesystem::exists(*call.calibration, error);
   if (call.calibration) calibration_file.emplace(*call.calibration);
-  Falcon falcon(std::move(link), options.falcon);
+  Falcon falcon(std::move(link), options);
   TerminalOperator person(simulated.get());
   person.tell(welcome);
   person.tell(safety);
   person.tell(keys);
   await_homed(falcon, person);
 
-  const auto known = std::ranges::find(options.falcon.calibrations, falcon.report().serial, &FalconCalibration::serial);
-  const bool is_kept = known != options.falcon.calibrations.end();
+  const auto known = std::ranges::find(options.calibrations, falcon.report().serial, &FalconCalibration::serial);
+  const bool is_kept = known != options.calibrations.end();
   const FalconMeasurement measurement = measure_falcon(falcon, person, is_kept ? *known : FalconCalibration{});
   falcon.shut_down();
 

@@ -6,16 +6,18 @@
 #include <string>
 
 #include "app/tools/doctor/rig.h"
+#include "device/falcon/falcon.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/ftdi_link.h"
-#include "device/input_catalog.h"
+#include "device/virtual_falcon/injected_fault.h"
 #include "device/virtual_falcon/measured_person.h"
 
 namespace ghostforce {
 
 struct MeasureCall {
   std::optional<FirmwareImage> firmware;
-  InputOptions input;
+  FalconOptions falcon;
+  InjectedFault injected_fault;  // of the virtual Falcon
   FtdiLinkOptions cable;
   bool is_virtual = false;
   std::string report = "-";                // path; -: the standard output

@@ -10,7 +10,6 @@
 #include "app/base/interruption.h"
 #include "app/files/falcon_calibration_file.h"
 #include "app/tools/doctor/readiness.h"
-#include "app/tools/doctor/steps.h"
 
 namespace ghostforce {
 namespace {

@@ -5,13 +5,11 @@
 #include <cctype>
 #include <cstddef>
 #include <cstdlib>
-#include <string_view>
 
 #include <fmt/format.h>
 
 #include "core/safety.h"
 #include "device/falcon/falcon_report.h"
-#include "device/report/motor_report.h"
 
 namespace ghostforce {
 namespace {

@@ -1,7 +1,6 @@
 #include "app/tools/figures/curves.h"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 
 #include "app/files/csv_table.h"
 #include "app/picture/chart.h"
+#include "app/tools/figures/sheet.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 
@@ -48,5 +49,19 @@ std::vector<double> evenly_in_ratio(double least, double greatest, int count);
 // What the loop has come to, 3.5 s after the goal went straight into the wall and stopped. Throws Failure(bug) where
 // the loop is unstable.
 Snapshot simulated_equilibrium(const Settings& settings, const Vector<2>& goal);
+
+// --- Force along the motor of the strategies at rest, by (11), (15), (20) and by the simulated loop ---
+
+// The goal is goal_behind() the wall. Forces away from the wall are positive. Closed forms of all strategies at `x`.
+void add_closed_forms(const Settings& settings, double x, Curves& curves);
+
+// The simulated loop's force of one strategy at `x`.
+void add_simulated(const Settings& settings, StrategyId id, double x, Curves& curves);
+
+// All strategies' curves on the sheet, over `x`, with their legend.
+void add_force_chart(const Curves& curves, const Axis& x, Sheet& sheet);
+
+// The curves as a table that says where the goal is and which way a force is positive.
+CsvTable force_table(const Curves& curves, const std::string& x_name);
 
 }  // namespace ghostforce

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/files/scene_file.h"
-#include "app/tools/figures/motion_picture.h"
+#include "app/tools/figures/scene_pane.h"
 
 namespace ghostforce {
 

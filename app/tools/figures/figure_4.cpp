@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/files/scene_file.h"
-#include "app/tools/figures/motion_picture.h"
+#include "app/tools/figures/scene_pane.h"
 
 namespace ghostforce {
 

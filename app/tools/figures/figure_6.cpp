@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 
 #include "app/files/scene_file.h"
-#include "app/tools/figures/motion_picture.h"
+#include "app/tools/figures/scene_pane.h"
 #include "core/conventions.h"
 #include "core/tremor_and_drift.h"
 

@@ -1,6 +1,4 @@
-#include "app/tools/figures/figure_catalog.h"
-
-#include <array>
+#include "app/tools/figures/figure.h"
 
 #include "app/base/interruption.h"
 #include "app/files/csv_table.h"
@@ -24,6 +22,8 @@ constexpr std::array catalog{
     FigureEntry{"energy-per-loop", "Energy per closed loop over the tracking ratio", energy_per_loop_figure},
     FigureEntry{"hand-estimate", "The hand measured live while its stiffness jumps", hand_estimate_figure},
     FigureEntry{"wrong-belief", "What a wrong belief about the hand costs", wrong_belief_figure},
+    FigureEntry{"which-walls", "Which walls are bad for an arm, with its motor at the base and at the elbow",
+                which_walls_figure},
 };
 
 }  // namespace

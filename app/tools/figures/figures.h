@@ -2,6 +2,7 @@
 // beside this one. Any one thread at a time.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "core/hand_estimator.h"
 #include "core/prediction.h"
 #include "core/strategy.h"
+#include "core/workspace_map.h"
 
 namespace ghostforce {
 
@@ -89,5 +91,15 @@ Figure hand_estimate_figure(const FigureRequest& request);
 // angle, "45°". x: believed over true k_u [1]; y: ghost force, or proxy drift, over that of naïve rendering [1].
 Curves errors_of_wrong_beliefs();
 Figure wrong_belief_figure(const FigureRequest& request);
+
+// Base or elbow? Where the handle of an arm may rest, what naïve rendering does there at a wall of the scene's
+// direction, for either place of the motor.
+struct WallOfMotor {
+  std::string motor;
+  Vector<2> handle;  // [m]
+  WallAtPose found;
+};
+std::vector<WallOfMotor> walls_of_motors();
+Figure which_walls_figure(const FigureRequest& request);
 
 }  // namespace ghostforce

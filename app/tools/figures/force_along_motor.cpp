@@ -1,4 +1,4 @@
-#include "app/tools/figures/force_along_motor.h"
+#include "app/tools/figures/curves.h"
 
 #include <string>
 

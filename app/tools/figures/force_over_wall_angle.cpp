@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "app/files/scene_file.h"
-#include "app/tools/figures/force_along_motor.h"
+#include "app/tools/figures/curves.h"
 
 namespace ghostforce {
 namespace {

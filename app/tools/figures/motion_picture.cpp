@@ -1,4 +1,4 @@
-#include "app/tools/figures/motion_picture.h"
+#include "app/tools/figures/scene_pane.h"
 
 #include <utility>
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/tools/figures/sheet.h"
+#include "app/tools/figures/simulated_motion.h"
 #include "core/settings.h"
 
 namespace ghostforce {
@@ -63,5 +64,16 @@ Pane scene_pane(const ScenePicture& picture, const Place& place, const Vector<2>
 FigurePoint goal_point(const Vector<2>& at, std::string name, std::string subscript = {});
 FigurePoint device_point(StrategyId id, const Vector<2>& at, std::string name, std::string subscript = {});
 Trail device_trail(StrategyId id, std::vector<Vector<2>> points);
+
+// --- A motion as a picture: the hand's way, the three devices', and where they come to rest ---
+
+// The hand's way is dotted; the devices' proxies stand hollow on the wall. `start` and `goal` name the ends of the way.
+ScenePicture picture_of(const SimulatedMotion& motion, const std::string& start, const std::string& goal);
+
+// Its entries of the legend.
+std::vector<LegendEntry> motion_legend();
+
+// Panes of pictures at one scale, side by side; the first one has the scale bar. A full row each.
+void add_scenes(Sheet& sheet, double height, std::vector<ScenePicture> pictures, std::size_t per_row);
 
 }  // namespace ghostforce

@@ -8,7 +8,6 @@
 
 #include "app/base/typed_text.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/picture/chart.h"
 #include "ghostforce_version.h"
 
 namespace ghostforce {

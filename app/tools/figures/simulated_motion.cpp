@@ -15,7 +15,6 @@
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
 #include "app/base/typed_text.h"
-#include "app/files/run.h"
 #include "app/runs/replay.h"
 #include "core/divergence.h"
 #include "core/simulate.h"

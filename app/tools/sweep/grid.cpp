@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include <fmt/compile.h>
 #include <fmt/format.h>
@@ -146,7 +145,9 @@ std::string words_about(const Grid& grid, std::int64_t point) {
 void refuse_unsound_points(const Grid& grid, const std::string& last_argument, Scene scene) {
   for (std::int64_t point = 0; point < size_of(grid); ++point) {
     put_point(grid, point, scene);
-    if (const auto problem = find_problem(scene)) {
+    std::optional<SceneProblem> problem = find_problem(scene);
+    if (!problem) problem = find_workspace_problem(scene);
+    if (problem) {
       refuse(last_argument, fmt::format("with {} the key {}: {}; {}", words_about(grid, point),
                                         dotted_name(problem->table, problem->name), problem->what, problem->remedy));
     }
@@ -165,6 +166,9 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
       if (other.key == range.key) {
         refuse(argument, fmt::format("the key {} already has a range; give only one", dotted_name(*range.key)));
       }
+    }
+    if (!belongs(*range.key, scene)) {
+      refuse(argument, fmt::format("the scene has no key {}", dotted_name(*range.key)));
     }
     // Rows would name a stiffness that the hand does not have.
     if (!scene.stiffness_path.is_empty() && dotted_name(*range.key) == "user.k_u_N_per_m") {
@@ -194,6 +198,11 @@ double value_at(const Grid& grid, std::size_t which, std::int64_t point) noexcep
   for (std::size_t i = grid.ranges.size() - 1; i > which; --i) index /= grid.ranges[i].values.size();
   const std::vector<double>& values = grid.ranges[which].values;
   return values[index % values.size()];
+}
+
+bool has_general_points(const Scene& scene, const Grid& grid) noexcept {
+  return is_general(scene.settings) ||
+         std::ranges::any_of(grid.ranges, [](const Range& range) { return range.key->format > 1; });
 }
 
 void put_point(const Grid& grid, std::int64_t point, Scene& scene) noexcept {

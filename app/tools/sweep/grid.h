@@ -43,6 +43,9 @@ std::int64_t size_of(const Grid& grid) noexcept;
 // What the range at `which` of grid.ranges has at a point, in the file's unit.
 double value_at(const Grid& grid, std::size_t which, std::int64_t point) noexcept;
 
+// Whether the points are general scenes, all of them: the scene is one, or a key of the grid makes one of it.
+bool has_general_points(const Scene& scene, const Grid& grid) noexcept;
+
 // Gives the scene the values that it has at a point.
 void put_point(const Grid& grid, std::int64_t point, Scene& scene) noexcept;
 

@@ -1,9 +1,9 @@
 #include "app/tools/sweep/point_equilibrium.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <utility>
 
@@ -11,12 +11,17 @@
 
 #include "core/batch.h"
 #include "core/divergence.h"
+#include "core/general_tick.h"
 
 namespace ghostforce {
 namespace {
 
 // Ticks between two looks at whether the devices stand still: a look costs about as much as twenty ticks of a lane.
 constexpr std::int64_t ticks_between_checks = 64;
+
+// Ticks that a general scene's hand is held still at most: its handles that run away come back from the edge of the
+// workspace, again and again.
+constexpr std::int64_t most_held_general_ticks = 60'000;
 
 constexpr double picometre = 1e-12;  // [m]
 
@@ -121,7 +126,58 @@ void simulate_together(const GoalPath& path, std::span<const SimulatedPoint> poi
   }
 }
 
+// --- A general scene ---------------------------------------------------------------------------------------------------
+
+// As balance_of(), for a strategy of the general loop: its hand is as stiff as in its stiffer direction.
+Balance general_balance_of(const Settings& settings, const Vector<2>& goal) noexcept {
+  const Stiffnesses& stiffnesses = settings.stiffnesses;
+  const double k_u = std::max(stiffnesses.k_u, settings.general.k_u_second.value_or(stiffnesses.k_u));
+  const double still = std::sqrt(k_u * settings.mass);
+  // The proxy is at most as far as the softest tracking lets it.
+  const double gain = 1.0 + stiffnesses.k_r / std::min(stiffnesses.k_u, k_u);
+  const double stiffness = k_u + stiffnesses.k_r * (1.0 + gain) + (settings.damping + still) * settings.rate;
+  const double reach = glm::length(settings.general.circle_center) + settings.general.circle_radius;
+  const bool is_round = settings.general.constraint == ConstraintKind::circle;
+  return {
+      k_u, still, k_u * picometre, roundings * std::numeric_limits<double>::epsilon() * stiffness,
+      std::max(glm::dot(goal, goal), is_round ? reach * reach : glm::dot(settings.wall_point, settings.wall_point))};
+}
+
 }  // namespace
+
+SimulatedEquilibria simulate_general_to_equilibrium(const GoalPath& path, const SimulatedPoint& point) {
+  const GeneralCoefficients coefficients = general_coefficients_of(point.settings);
+  const Vector<2> goal = path.points.back();
+  TickState<2> state = state_at_start(point.settings, goal_at(path, 0.0));
+  const std::int64_t last = std::llround(point.duration * coefficients.rate);
+  while (state.tick < last && time_of(state.tick, coefficients.rate) < path.times.back()) {
+    tick(coefficients, goal_at(path, time_of(state.tick + 1, coefficients.rate)), state);
+  }
+  for (auto& own : state.strategies) own.motion.position += nudge;
+  const Balance balance = general_balance_of(point.settings, goal);
+  SimulatedEquilibria equilibria;
+  PerStrategy<bool> is_over{};
+  for (std::int64_t held = 0; held < most_held_general_ticks; held += ticks_between_checks) {
+    for (std::int64_t i = 0; i < ticks_between_checks; ++i) tick(coefficients, goal, state);
+    for (std::size_t i = 0; i < strategy_count; ++i) {
+      if (is_over[i]) continue;
+      const auto& own = state.strategies[i];
+      const Batch::Lane now{own.motion.position, own.motion.velocity, own.proxy, own.force};
+      if (!is_near(now.device) || !is_finite(now.force)) is_over[i] = true;
+      const double farthest =
+          std::max({balance.farthest_given, glm::dot(now.device, now.device), glm::dot(now.proxy, now.proxy)});
+      const double negligible = balance.least + balance.rounding * std::sqrt(farthest);
+      const Vector<2> pull = coefficients.user_stiffness * (goal - now.device) + now.force;
+      const bool is_at_rest =
+          glm::length(pull) <= negligible && balance.still * glm::length(now.velocity) <= negligible;
+      if (is_over[i] || !is_at_rest || own.contact.status == ContactStatus::outside_workspace) continue;
+      equilibria[i] = SimulatedEquilibrium{now.device, now.proxy, now.force, own.contact.efforts};
+      is_over[i] = true;
+    }
+    if (std::ranges::all_of(is_over, std::identity{})) break;
+  }
+  return equilibria;
+}
 
 std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, std::span<const SimulatedPoint> points) {
   std::vector<SimulatedEquilibria> equilibria(points.size());
@@ -137,7 +193,8 @@ std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, s
   return equilibria;
 }
 
-PointEquilibria::PointEquilibria(const EquilibriumKind& kind, std::size_t expected) : kind_(kind) {
+PointEquilibria::PointEquilibria(const EquilibriumKind& kind, std::size_t expected, bool are_general)
+    : kind_(kind), are_general_(are_general) {
   points_.reserve(expected);
   if (kind.simulated) to_simulate_.reserve(expected);
 }
@@ -145,13 +202,28 @@ PointEquilibria::PointEquilibria(const EquilibriumKind& kind, std::size_t expect
 void PointEquilibria::add(const Scene& scene) {
   const Vector<2>& goal = scene.goal.points.back();
   PointEquilibrium& point = points_.emplace_back();
-  point.depth = depth(wall_of(scene.settings), goal);
   const Settings at_end = settings_at(scene, scene.settings, scene.duration);
+  if (are_general_) {
+    const GeneralScene general = general_scene_of(at_end);
+    point.is_general = true;
+    point.motors = motor_count(general.mechanism);
+    point.depth = -signed_distance(general.constraint, goal);
+    if (kind_.predicted) point.general = predicted_general_equilibria(general, goal);
+    if (kind_.simulated) to_simulate_.push_back({at_end, scene.duration});
+    return;
+  }
+  point.depth = depth(wall_of(scene.settings), goal);
   if (kind_.predicted) point.predicted = predicted_equilibria(at_end, goal);
   if (kind_.simulated) to_simulate_.push_back({at_end, scene.duration});
 }
 
 std::vector<PointEquilibrium> PointEquilibria::take(const GoalPath& path) {
+  if (are_general_) {
+    for (std::size_t i = 0; i < to_simulate_.size(); ++i) {
+      points_[i].simulated = simulate_general_to_equilibrium(path, to_simulate_[i]);
+    }
+    return std::move(points_);
+  }
   const std::vector<SimulatedEquilibria> equilibria = simulate_to_equilibrium(path, to_simulate_);
   for (std::size_t i = 0; i < equilibria.size(); ++i) points_[i].simulated = equilibria[i];
   return std::move(points_);

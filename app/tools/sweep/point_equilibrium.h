@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/general_equilibrium.h"
 #include "core/prediction.h"
 #include "core/scene.h"
 #include "core/strategy.h"
@@ -22,6 +23,7 @@ struct SimulatedEquilibrium {
   Vector<2> device{0.0};  // q_h [m]
   Vector<2> proxy{0.0};   // q_p [m]
   Vector<2> force{0.0};   // f_r [N]
+  Efforts efforts{};      // u, in general scenes [N or N·m]
 };
 
 // Ticks that the hand is held still at most while the devices come to rest: 1000 s at 1 kHz. A device that creeps needs
@@ -49,6 +51,9 @@ struct SimulatedPoint {
 // Not a bit of a point's result depends on the others; together they are several times faster.
 std::vector<SimulatedEquilibria> simulate_to_equilibrium(const GoalPath& path, std::span<const SimulatedPoint> points);
 
+// The same for a general scene, with the loop that the servo has. A device outside its workspace is not at rest there.
+SimulatedEquilibria simulate_general_to_equilibrium(const GoalPath& path, const SimulatedPoint& point);
+
 // How the rest is found.
 struct EquilibriumKind {
   std::string_view name;  // on the command line
@@ -64,16 +69,20 @@ inline constexpr std::array equilibrium_kinds{
 
 // Under the last waypoint of the scene's path.
 struct PointEquilibrium {
-  double depth = 0.0;                                            // of the goal, (8) [m]
-  PerStrategy<PredictedEquilibrium> predicted{};                 // where the kind has it
+  double depth = 0.0;                             // of the goal, (8) [m]
+  PerStrategy<PredictedEquilibrium> predicted{};  // where the kind has it
+  // Instead of that in general scenes; empty: no rest.
+  PerStrategy<std::optional<PredictedGeneralEquilibrium>> general{};
+  bool is_general = false;
+  std::size_t motors = 0;                                        // in general scenes
   PerStrategy<std::optional<SimulatedEquilibrium>> simulated{};  // likewise; empty: does not come to rest
 };
 
 // Points put into one scene, one after the other; simulated side by side in the end, which is several times faster.
 class PointEquilibria {
  public:
-  // Has room for `expected` points.
-  PointEquilibria(const EquilibriumKind& kind, std::size_t expected);
+  // Has room for `expected` points. `are_general`: they are asked what general scenes are asked.
+  PointEquilibria(const EquilibriumKind& kind, std::size_t expected, bool are_general = false);
 
   // The scenes share one path.
   void add(const Scene& scene);
@@ -83,6 +92,7 @@ class PointEquilibria {
 
  private:
   const EquilibriumKind& kind_;
+  bool are_general_;
   std::vector<PointEquilibrium> points_;
   std::vector<SimulatedPoint> to_simulate_;
 };

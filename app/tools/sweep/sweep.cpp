@@ -1,18 +1,17 @@
 #include "app/tools/sweep/sweep.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <iterator>
 #include <thread>
 #include <vector>
 
 #include <fmt/compile.h>
-#include <fmt/format.h>
 
 #include "app/base/interruption.h"
 #include "app/files/run.h"
 #include "app/files/scene_keys.h"
 #include "app/tools/sweep/ordered_parallel_for.h"
+#include "core/general_tick.h"
 
 namespace ghostforce {
 namespace {
@@ -36,7 +35,7 @@ Block make_block(const SweepPlan& plan, std::int64_t first, std::int64_t count) 
   using Clock = std::chrono::steady_clock;
   Block block;
   Scene scene = plan.scene;
-  PointEquilibria points(plan.kind, static_cast<std::size_t>(count));
+  PointEquilibria points(plan.kind, static_cast<std::size_t>(count), has_general_points(plan.scene, plan.grid));
   const Clock::time_point start = Clock::now();
   while (block.points < count && !interrupted()) {
     put_point(plan.grid, first + block.points, scene);
@@ -91,6 +90,23 @@ constexpr std::string_view simulated_columns =
     ",simulated_device_x_m,simulated_device_y_m,simulated_proxy_x_m,simulated_proxy_y_m,simulated_force_x_N,"
     "simulated_force_y_N,settled";
 constexpr std::string_view not_settled = ",,,,,,,0";
+constexpr std::string_view no_rest = ",,,,,,,,,,";
+
+// What a general scene adds: whether there is a rest, and the motors' efforts, predicted and simulated.
+std::string general_columns(const Scene& scene, const Grid& grid, const EquilibriumKind& kind) {
+  std::string columns;
+  if (!has_general_points(scene, grid)) return columns;
+  const std::size_t motors = motor_count(mechanism_of(scene.settings));
+  const auto add_efforts = [&](std::string_view prefix) {
+    for (std::size_t i = 1; i <= motors; ++i) columns += fmt::format(",{}effort_{}", prefix, i);
+  };
+  if (kind.predicted) {
+    columns += ",rests";
+    add_efforts("");
+  }
+  if (kind.simulated) add_efforts("simulated_");
+  return columns;
+}
 
 // −0 is a zero too.
 void append_vector(fmt::memory_buffer& rows, const Vector<2>& vector) {
@@ -110,10 +126,34 @@ std::string sweep_header(const Scene& scene, const Grid& grid, const Equilibrium
   return header + fmt::format(
                       "# One row per point and strategy, at rest under the last waypoint. The name of each column ends "
                       "with its unit.\n"
-                      "{}{}{}{}\n",
+                      "{}{}{}{}{}\n",
                       columns, common_columns, kind.predicted ? predicted_columns : "",
-                      kind.simulated ? simulated_columns : "");
+                      kind.simulated ? simulated_columns : "", general_columns(scene, grid, kind));
 }
+
+namespace {
+
+void append_predicted(fmt::memory_buffer& rows, const Equilibrium<2>& at, const Vector<2>& ghost_force,
+                      const Vector<2>& proxy_drift) {
+  append_vector(rows, at.device);
+  append_vector(rows, at.proxy);
+  append_vector(rows, at.force);
+  append_vector(rows, ghost_force);
+  append_vector(rows, proxy_drift);
+}
+
+// Empty where there are none.
+void append_efforts(fmt::memory_buffer& rows, const Efforts* efforts, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    if (efforts == nullptr) {
+      rows.push_back(',');
+    } else {
+      fmt::format_to(std::back_inserter(rows), FMT_COMPILE(",{}"), (*efforts)[i] + 0.0);
+    }
+  }
+}
+
+}  // namespace
 
 void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t point, const PointEquilibrium& rest,
                        const EquilibriumKind& kind) {
@@ -125,19 +165,21 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
   const std::string goal_depth = fmt::format(FMT_COMPILE(",{}"), rest.depth + 0.0);
 
   for (const Strategy& strategy : strategy_catalog()) {
+    const auto& general = rest.general[index_of(strategy.id)];
+    const auto& simulated = rest.simulated[index_of(strategy.id)];
     rows.append(values);
     rows.append(strategy.name);
     rows.append(goal_depth);
-    if (kind.predicted) {
+    if (kind.predicted && !rest.is_general) {
       const PredictedEquilibrium& predicted = rest.predicted[index_of(strategy.id)];
-      append_vector(rows, predicted.at.device);
-      append_vector(rows, predicted.at.proxy);
-      append_vector(rows, predicted.at.force);
-      append_vector(rows, predicted.ghost_force);
-      append_vector(rows, predicted.proxy_drift);
+      append_predicted(rows, predicted.at, predicted.ghost_force, predicted.proxy_drift);
+    } else if (kind.predicted && general) {
+      append_predicted(rows, general->rest.at, general->ghost_force, general->slide);
+    } else if (kind.predicted) {
+      rows.append(no_rest);
     }
     if (kind.simulated) {
-      if (const auto& simulated = rest.simulated[index_of(strategy.id)]) {
+      if (simulated) {
         append_vector(rows, simulated->device);
         append_vector(rows, simulated->proxy);
         append_vector(rows, simulated->force);
@@ -146,6 +188,11 @@ void append_sweep_rows(fmt::memory_buffer& rows, const Grid& grid, std::int64_t 
         rows.append(not_settled);
       }
     }
+    if (rest.is_general && kind.predicted) {
+      rows.append(std::string_view(general ? ",1" : ",0"));
+      append_efforts(rows, general ? &general->rest.efforts : nullptr, rest.motors);
+    }
+    if (rest.is_general && kind.simulated) append_efforts(rows, simulated ? &simulated->efforts : nullptr, rest.motors);
     rows.push_back('\n');
   }
 }

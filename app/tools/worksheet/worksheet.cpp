@@ -1,9 +1,7 @@
 #include "app/tools/worksheet/worksheet.h"
 
 #include <filesystem>
-#include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,12 +10,9 @@
 #include "app/base/shell_word.h"
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
-#include "app/picture/panes.h"
 #include "app/shell/desktop/offscreen.h"
-#include "app/state/lesson.h"
 #include "app/state/lesson_file.h"
 #include "app/tools/worksheet/worksheet_item.h"
-#include "app/tools/worksheet/worksheet_layout.h"
 
 namespace ghostforce {
 namespace {

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <random>
-#include <string>
 #include <string_view>
 #include <system_error>
 

@@ -1,7 +1,6 @@
 #include "app/base/quoted.h"
 
 #include <array>
-#include <string>
 #include <string_view>
 
 #include <gtest/gtest.h>

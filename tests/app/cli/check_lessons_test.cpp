@@ -41,7 +41,7 @@ class CheckLessons : public testing::Test {
 
 Outcome check(std::vector<std::string> words) {
   words.insert(words.begin(), "check");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 bool holds(const std::string& text, std::string_view part) {
@@ -106,7 +106,7 @@ TEST_F(CheckLessons, PrintsWhatTheDocShows) {
   ProgramCall call;
   call.words = {"check", "steep.toml"};
   call.folder = folder_.path();
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(holds(doc, outcome.out)) << "docs/lessons.md should hold\n" << outcome.out;
 }

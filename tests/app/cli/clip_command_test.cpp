@@ -13,7 +13,6 @@
 #include "app/state/set_up_of.h"
 #include "tests/support/animated_png_reader.h"
 #include "tests/support/fake_ffmpeg.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -40,8 +39,7 @@ TEST(RenderClip, HasTheSameBytesOnEveryRun) {
   const TemporaryFolder folder;
   for (const char* const face : {"stage", "workbench"}) {
     for (const char* const name : {"a.png", "b.png"}) {
-      const Outcome outcome =
-          run_program(ghostforce_program(), render({"--view", face, "--clip", "0.8:1.2:15", "-o", folder / name}));
+      const Outcome outcome = run_ghostforce(render({"--view", face, "--clip", "0.8:1.2:15", "-o", folder / name}));
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     }
     const std::string bytes = read_whole(folder / "a.png");
@@ -72,8 +70,8 @@ TEST(RenderClip, BeginsWithThePictureThatIsDrawnAlone) {
   const TemporaryFolder folder;
   for (const char* const at : {"0.5", "1", "1.7"}) {
     const std::string clip = std::string(at) + ":3:1";
-    ASSERT_EQ(run_program(ghostforce_program(), render({"--clip", clip, "-o", folder / "clip.png"})).exit_code, 0);
-    ASSERT_EQ(run_program(ghostforce_program(), render({"--at", at, "-o", folder / "picture.png"})).exit_code, 0);
+    ASSERT_EQ(run_ghostforce(render({"--clip", clip, "-o", folder / "clip.png"})).exit_code, 0);
+    ASSERT_EQ(run_ghostforce(render({"--at", at, "-o", folder / "picture.png"})).exit_code, 0);
     EXPECT_TRUE(read_png(folder / "clip.png") == read_png(folder / "picture.png")) << at;
   }
 }
@@ -83,7 +81,7 @@ TEST(RenderClip, ShowsTheHandGoingIn) {
   for (const char* const mode : {"", "round", "ribbon", "why"}) {
     std::vector<std::string> words = render({"--view", "stage", "--clip", "0.5:1.5:6", "-o", folder / "clip.png"});
     if (*mode != '\0') words.insert(words.end(), {"--mode", mode});
-    const Outcome outcome = run_program(ghostforce_program(), words);
+    const Outcome outcome = run_ghostforce(words);
     ASSERT_EQ(outcome.exit_code, 0) << mode << outcome.err;
     EXPECT_GT(read_animated_png(read_whole(folder / "clip.png")).frames.size(), 3U) << mode;
   }
@@ -92,13 +90,8 @@ TEST(RenderClip, ShowsTheHandGoingIn) {
 // The last picture: what is on the screen when somebody stops the clip at its end.
 TEST(RenderClip, CarriesTheSetUpOfItsLastPicture) {
   const TemporaryFolder folder;
-  ASSERT_EQ(
-      run_program(ghostforce_program(), render({"--view", "stage", "--clip", "0:0.5:5", "-o", folder / "clip.png"}))
-          .exit_code,
-      0);
-  ASSERT_EQ(run_program(ghostforce_program(), render({"--view", "stage", "--at", "0.4", "-o", folder / "last.png"}))
-                .exit_code,
-            0);
+  ASSERT_EQ(run_ghostforce(render({"--view", "stage", "--clip", "0:0.5:5", "-o", folder / "clip.png"})).exit_code, 0);
+  ASSERT_EQ(run_ghostforce(render({"--view", "stage", "--at", "0.4", "-o", folder / "last.png"})).exit_code, 0);
   const auto set_up = read_picture_set_up(folder / "clip.png");
   EXPECT_EQ(set_up_line(set_up), set_up_line(read_picture_set_up(folder / "last.png")));
   EXPECT_NE(set_up.goal, load_scene("wall45").goal.points.back()) << "the hand is on its way";
@@ -129,7 +122,7 @@ TEST(RenderClip, SaysWhatIsWrongWithACall) {
   for (const auto& [words, expected] : calls) {
     std::vector<std::string> call{"render", "wall45"};
     call.insert(call.end(), words.begin(), words.end());
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 2) << words[1];
     EXPECT_NE(outcome.err.find(expected), std::string::npos) << outcome.err;
     EXPECT_EQ(folder.count(), 0) << words[1];
@@ -145,7 +138,7 @@ TEST(RenderClip, LeavesNothingWhenInterrupted) {
     call.words = render({"--clip", "0:100:30", "-o", folder / (*script == '\0' ? "clip.png" : "clip.mp4")});
     call.signal_when_created_in = folder.path();
     call.signal = SIGINT;
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 130) << script << outcome.err;
     EXPECT_EQ(folder.count(), 0) << script;
   }
@@ -155,19 +148,19 @@ TEST(RenderClip, MakesVideosByFfmpegWhereThereIsOne) {
   const FakeFfmpeg ffmpeg;
   const TemporaryFolder folder;
   const std::vector<std::string> words = render({"--clip", "0:0.2:10", "-o", folder / "clip.webm"});
-  Outcome outcome = run_program(ghostforce_program(), words);
+  Outcome outcome = run_ghostforce(words);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("install the package ffmpeg"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.count(), 0);
 
   ffmpeg.is(FakeFfmpeg::fails);
-  outcome = run_program(ghostforce_program(), words);
+  outcome = run_ghostforce(words);
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_NE(outcome.err.find("the encoder is broken"), std::string::npos) << outcome.err;
   EXPECT_EQ(folder.count(), 0);
 
   ffmpeg.is(FakeFfmpeg::keeps_what_it_gets);
-  EXPECT_EQ(run_program(ghostforce_program(), words).exit_code, 0);
+  EXPECT_EQ(run_ghostforce(words).exit_code, 0);
   EXPECT_EQ(read_whole(folder / "clip.webm").size(), std::size_t{2} * 320 * 200 * 4);
 }
 

@@ -20,7 +20,6 @@
 #include "core/ghost_force.h"
 #include "core/simulate.h"
 #include "ghostforce_version.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -28,13 +27,9 @@
 namespace ghostforce::command_line_test {
 namespace {
 
-Outcome run(std::vector<std::string> words) {
-  return run_program(ghostforce_program(), std::move(words));
-}
-
 // A call that is wrong: exit 2, nothing on stdout, and these words on stderr.
 void expect_refused(const std::vector<std::string>& words, std::string_view said, int code = 2) {
-  const Outcome outcome = run(words);
+  const Outcome outcome = run_ghostforce(words);
   std::string call;
   for (const std::string& word : words) call += word + " ";
   EXPECT_EQ(outcome.exit_code, code) << call << outcome.err;
@@ -46,7 +41,7 @@ void expect_refused(const std::vector<std::string>& words, std::string_view said
 // --- Words and exit codes ---
 
 TEST(CommandLine, HelpAtEveryLevel) {
-  const Outcome program = run({"--help"});
+  const Outcome program = run_ghostforce({"--help"});
   EXPECT_EQ(program.exit_code, 0);
   EXPECT_EQ(program.err, "");
   for (const std::string_view words : {"simulate", "equilibrium", "wall45", "130  interrupted", "--version"}) {
@@ -55,7 +50,7 @@ TEST(CommandLine, HelpAtEveryLevel) {
   for (const Command& listed : command_catalog()) {
     const std::string command(listed.name);
     EXPECT_NE(program.out.find("  " + command), std::string::npos) << command;
-    const Outcome outcome = run({command, "--help"});
+    const Outcome outcome = run_ghostforce({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.err, "");
     std::vector<std::string_view> told{"SCENE", "--set KEY=VALUE"};
@@ -71,24 +66,25 @@ TEST(CommandLine, HelpAtEveryLevel) {
     }
   }
   EXPECT_NE(program.out.find("a replay diverged, no reading"), std::string::npos) << "exit code 1 of measure-user";
-  EXPECT_NE(run({"measure-user", "--help"}).out.find("the nearest point of the wall counts"), std::string::npos);
-  EXPECT_NE(run({"simulate", "--help"}).out.find("--strategy"), std::string::npos);
-  EXPECT_NE(run({"equilibrium", "-h"}).out.find("--goal-mm"), std::string::npos);
+  EXPECT_NE(run_ghostforce({"measure-user", "--help"}).out.find("the nearest point of the wall counts"),
+            std::string::npos);
+  EXPECT_NE(run_ghostforce({"simulate", "--help"}).out.find("--strategy"), std::string::npos);
+  EXPECT_NE(run_ghostforce({"equilibrium", "-h"}).out.find("--goal-mm"), std::string::npos);
 }
 
 TEST(CommandLine, RunIsMeantWhereNoCommandIsNamed) {
-  const std::string run_help = run({"run", "--help"}).out;
+  const std::string run_help = run_ghostforce({"run", "--help"}).out;
   EXPECT_NE(run_help.find("ghostforce run"), std::string::npos) << run_help;
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"fig1", "--help"}, {"some/where.toml", "--help"}, {"--strategy", "naive", "--help"}}) {
-    const Outcome outcome = run(words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 0) << words.front();
     EXPECT_EQ(outcome.out, run_help) << words.front();
   }
 }
 
 TEST(CommandLine, Version) {
-  const Outcome outcome = run({"--version"});
+  const Outcome outcome = run_ghostforce({"--version"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   // The first line is for scripts; the others tell what a report of a fault needs.
@@ -131,7 +127,7 @@ TEST(CommandLine, ProblemsOfASceneFileAreToldByLine) {
   ProgramCall call;
   call.words = {"simulate", "bad.toml", "-o", "run.csv"};
   call.folder = folder.path();
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.err,
             "bad.toml:9:1: the key device.rate_hz is missing\n"
@@ -148,7 +144,7 @@ TEST(CommandLine, FileTroubleExits8) {
   for (const std::vector<std::string>& words :
        {std::vector<std::string>{"simulate", "wall45"}, {"--help"}, {"equilibrium", "fig1"}}) {
     call.words = words;
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 8);
     EXPECT_NE(outcome.err.find("standard output cannot be written: No space left"), std::string::npos);
   }
@@ -158,7 +154,7 @@ TEST(CommandLine, AReaderThatLeavesIsNoTrouble) {
   ProgramCall call;
   call.words = {"simulate", "wall45", "--strategy", "all", "--set", "goal.duration_s=10000"};
   call.close_after_first_piece = true;
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
 }
@@ -173,7 +169,7 @@ TEST_P(CommandLineInterrupted, LeavesNothingAndExits130) {
   call.words = {"simulate", "wall45", "--set", "goal.duration_s=10000", "-o", folder / "run.csv"};
   call.signal_when_created_in = folder.path();
   call.signal = GetParam();
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(outcome.err, "interrupted\n");
   EXPECT_EQ(outcome.out, "");
@@ -226,7 +222,7 @@ std::vector<double> expected_row(const Snapshot& snapshot, StrategyId id) {
 }
 
 TEST(Simulate, WritesEveryTickOfEveryStrategyExactly) {
-  const Outcome outcome = run({"simulate", "fig3-normal", "--strategy", "all"});
+  const Outcome outcome = run_ghostforce({"simulate", "fig3-normal", "--strategy", "all"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_EQ(outcome.err, "");
   const Csv csv = parse_csv(outcome.out);
@@ -254,7 +250,7 @@ TEST(Simulate, WritesEveryTickOfEveryStrategyExactly) {
 TEST(Simulate, EndsWhereTheDesignSays) {
   // fig3-normal at rest: device x +3.669 mm (F), −26.556 mm (N), +3.669 mm (A); force along x −3.633, −6.656, −3.633 N.
   // After 2 s at rest what still moves is far below the last digit given.
-  const Csv csv = parse_csv(run({"simulate", "fig3-normal", "--strategy=all"}).out);
+  const Csv csv = parse_csv(run_ghostforce({"simulate", "fig3-normal", "--strategy=all"}).out);
   ASSERT_GE(csv.numbers.size(), 3U);
   const double device_x[] = {3.669e-3, -26.556e-3, 3.669e-3};
   const double force_x[] = {-3.633, -6.656, -3.633};
@@ -270,7 +266,7 @@ TEST(Simulate, WritesTheSceneStrategyUnlessTold) {
            {{"simulate", "wall45"}, std::string(strategy(load_scene("wall45").settings.active).name)},
            {{"simulate", "wall45", "--set", "rendering.strategy=full"}, "full"},
            {{"simulate", "wall45", "--strategy", "anisotropic"}, "anisotropic"}}) {
-    const Csv csv = parse_csv(run(words).out);
+    const Csv csv = parse_csv(run_ghostforce(words).out);
     ASSERT_EQ(csv.names.size(), 3001U);
     for (const std::string& row_name : csv.names) ASSERT_EQ(row_name, name);
     EXPECT_NE(std::find(csv.comments.begin(), csv.comments.end(), "# strategy = \"" + name + "\""), csv.comments.end());
@@ -278,8 +274,8 @@ TEST(Simulate, WritesTheSceneStrategyUnlessTold) {
 }
 
 TEST(Simulate, HeaderHoldsTheEffectiveScene) {
-  const Csv csv =
-      parse_csv(run({"simulate", "wall45", "--set", "wall.normal_deg=120.5", "--set", "goal.duration_s=0.0125"}).out);
+  const Csv csv = parse_csv(
+      run_ghostforce({"simulate", "wall45", "--set", "wall.normal_deg=120.5", "--set", "goal.duration_s=0.0125"}).out);
   EXPECT_EQ(csv.comments.front(), fmt::format("# ghostforce {}", version));
   std::string text;
   bool within = false;
@@ -296,7 +292,7 @@ TEST(Simulate, HeaderHoldsTheEffectiveScene) {
 
 TEST(Simulate, FileAndStandardOutputAreTheSameBytes) {
   const TemporaryFolder folder;
-  const Outcome to_file = run({"simulate", "fig1", "--strategy", "all", "-o", folder / "run.csv"});
+  const Outcome to_file = run_ghostforce({"simulate", "fig1", "--strategy", "all", "-o", folder / "run.csv"});
   EXPECT_EQ(to_file.exit_code, 0);
   EXPECT_EQ(to_file.out, "");
   EXPECT_EQ(to_file.err, "");
@@ -307,12 +303,12 @@ TEST(Simulate, FileAndStandardOutputAreTheSameBytes) {
     ProgramCall call;
     call.words = {"simulate", "fig1", "--strategy", "all", "-o", "-"};
     call.environment = {"LC_ALL=" + locale, "LANG=" + locale, "LC_NUMERIC=" + locale};
-    EXPECT_EQ(run_program(ghostforce_program(), call).out, bytes) << locale;
+    EXPECT_EQ(run_ghostforce(call).out, bytes) << locale;
   }
 }
 
 TEST(Simulate, PlaysNoTimeToo) {
-  const Csv csv = parse_csv(run({"simulate", "wall45", "--set", "goal.duration_s=0"}).out);
+  const Csv csv = parse_csv(run_ghostforce({"simulate", "wall45", "--set", "goal.duration_s=0"}).out);
   EXPECT_EQ(csv.numbers.size(), 1U);
 }
 
@@ -330,7 +326,7 @@ TEST(EquilibriumCommand, JsonIsWhatTheModelSays) {
                                                     {"rendering.tracking_ratio=3"}}) {
     std::vector<std::string> words{"equilibrium", "fig1", "--json"};
     for (const std::string& override : overrides) words.insert(words.end(), {"--set", override});
-    const Outcome outcome = run(words);
+    const Outcome outcome = run_ghostforce(words);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const nlohmann::json json = nlohmann::json::parse(outcome.out);
@@ -360,7 +356,7 @@ TEST(EquilibriumCommand, JsonIsWhatTheModelSays) {
 }
 
 TEST(EquilibriumCommand, JsonHoldsTheNumbersOfTheDesign) {
-  const nlohmann::json json = nlohmann::json::parse(run({"equilibrium", "fig3-normal", "--json"}).out);
+  const nlohmann::json json = nlohmann::json::parse(run_ghostforce({"equilibrium", "fig3-normal", "--json"}).out);
   EXPECT_NEAR(json.at("depth_m").get<double>(), 56.569e-3, 0.5e-6);
   const auto at = [&](const char* strategy, const char* key) {
     return vector_in(json.at("strategies").at(strategy).at(key));
@@ -373,7 +369,8 @@ TEST(EquilibriumCommand, JsonHoldsTheNumbersOfTheDesign) {
 }
 
 TEST(EquilibriumCommand, OutsideTheWallNothingPushes) {
-  const nlohmann::json json = nlohmann::json::parse(run({"equilibrium", "fig1", "--goal-mm=-30,20", "--json"}).out);
+  const nlohmann::json json =
+      nlohmann::json::parse(run_ghostforce({"equilibrium", "fig1", "--goal-mm=-30,20", "--json"}).out);
   EXPECT_LT(json.at("depth_m").get<double>(), 0.0);
   for (const auto& [name, values] : json.at("strategies").items()) {
     EXPECT_EQ(vector_in(values.at("goal_m")), Vector<2>(-0.03, 0.02)) << name;
@@ -386,10 +383,10 @@ TEST(EquilibriumCommand, OutsideTheWallNothingPushes) {
 }
 
 TEST(EquilibriumCommand, TakesGoalsAsPeopleWriteThem) {
-  const std::string expected = run({"equilibrium", "fig1", "--goal-mm=-10,5", "--json"}).out;
+  const std::string expected = run_ghostforce({"equilibrium", "fig1", "--goal-mm=-10,5", "--json"}).out;
   EXPECT_NE(expected.find("\"goal_m\":[-0.01,0.005]"), std::string::npos) << expected;
-  EXPECT_EQ(run({"equilibrium", "fig1", "--goal-mm", "-10,5", "--json"}).out, expected);
-  EXPECT_EQ(run({"equilibrium", "--goal-mm", "-10.0,+5e0", "--json", "fig1"}).out, expected);
+  EXPECT_EQ(run_ghostforce({"equilibrium", "fig1", "--goal-mm", "-10,5", "--json"}).out, expected);
+  EXPECT_EQ(run_ghostforce({"equilibrium", "--goal-mm", "-10.0,+5e0", "--json", "fig1"}).out, expected);
   for (const std::string bad :
        {"1", "1,", ",1", "1,2,3", "1;2", "a,b", "nan,1", "1,inf", "1, 2", "1,2 ", "1e4,0", "0,-1000.1", ""}) {
     expect_refused({"equilibrium", "fig1", "--goal-mm=" + bad}, "--goal-mm");
@@ -397,7 +394,7 @@ TEST(EquilibriumCommand, TakesGoalsAsPeopleWriteThem) {
 }
 
 TEST(EquilibriumCommand, TableIsForPeople) {
-  const Outcome outcome = run({"equilibrium", "fig3-normal"});
+  const Outcome outcome = run_ghostforce({"equilibrium", "fig3-normal"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out,
             "Motion normal to a 45 degree wall\n"
@@ -426,7 +423,7 @@ TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
 
 TEST(Run, RefusesATimeThatIsNoNumber) {
   for (const char* time : {"nan", "-1", "inf", "soon"}) {
-    const Outcome outcome = run_program(ghostforce_program(), {"run", "--exit-after", time});
+    const Outcome outcome = run_ghostforce({"run", "--exit-after", time});
     EXPECT_EQ(outcome.exit_code, 2) << time;
     EXPECT_NE(outcome.err.find("--exit-after"), std::string::npos) << outcome.err;
   }

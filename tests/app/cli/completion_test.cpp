@@ -75,7 +75,7 @@ const std::vector<Typed> typed_lines{
 class Completion : public testing::TestWithParam<Shell> {
  protected:
   Completion() {
-    write_whole(folder_ / "script", run_program(ghostforce_program(), {"help", "--format", GetParam().name}).out);
+    write_whole(folder_ / "script", run_ghostforce({"help", "--format", GetParam().name}).out);
     std::filesystem::create_directory(folder_ / "my_folder");
     for (const char* name : {"my_scene.toml", "my_notes.txt", "my_folder/inside.toml", "my_folder/notes.txt"})
       write_whole(folder_ / name, "");
@@ -140,7 +140,7 @@ TEST_P(Completion, OffersTheOptionsOfEachCommand) {
   for (const Command& command : command_catalog()) {
     const std::string name(command.name);
     std::set<std::string> expected;
-    std::istringstream help(run_program(ghostforce_program(), {"help", name}).out);
+    std::istringstream help(run_ghostforce({"help", name}).out);
     for (std::string line; std::getline(help, line);) {
       if (!line.starts_with("  -")) continue;
       line.resize(line.find(' ', 2));

@@ -18,7 +18,6 @@
 #include "device/report/motor_report.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
 #include "tests/support/no_opengl.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +30,7 @@ Outcome doctor(std::vector<std::string> words) {
   call.words = std::move(words);
   call.words.insert(call.words.begin(), "doctor");
   call.environment = {"XDG_CONFIG_HOME=" + home.path(), "GHOSTFORCE_FIRMWARE="};
-  return run_program(ghostforce_program(), call);
+  return run_ghostforce(call);
 }
 
 nlohmann::json json_of(const Outcome& outcome) {
@@ -110,7 +109,7 @@ TEST(Doctor, SaysWhatIsMissingForPicturesAndEndsAsWithoutThem) {
   ProgramCall call;
   call.words = {"doctor", "--falcon-usb-id", "0000:0000"};
   call.environment = {no_opengl.variable()};
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
   for (const std::string_view words : {"pictures by egl: ", "libegl1", "pictures by osmesa: ", "libosmesa6"}) {
     EXPECT_NE(outcome.out.find(words), std::string::npos) << words << " in " << outcome.out;

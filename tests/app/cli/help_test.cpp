@@ -9,7 +9,6 @@
 #include <gtest/gtest.h>
 
 #include "app/cli/command.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -18,7 +17,7 @@ namespace {
 
 Outcome help(std::vector<std::string> words) {
   words.insert(words.begin(), "help");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 // Of each command, and of the program by an empty name.
@@ -75,10 +74,10 @@ std::string without_wide_blanks(std::string text) {
 }
 
 TEST(Help, IsWhatTheOptionPrints) {
-  EXPECT_EQ(printed({}, ""), run_program(ghostforce_program(), {"--help"}).out);
+  EXPECT_EQ(printed({}, ""), run_ghostforce({"--help"}).out);
   for (const Command& command : command_catalog()) {
     const std::string name(command.name);
-    EXPECT_EQ(printed({}, name), run_program(ghostforce_program(), {name, "--help"}).out);
+    EXPECT_EQ(printed({}, name), run_ghostforce({name, "--help"}).out);
   }
 }
 

@@ -4,8 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/command_line.h"
-#include "tests/support/places.h"
+#include "app/cli/command.h"
 #include "tests/support/program.h"
 
 namespace ghostforce::kiosk_options_test {
@@ -17,7 +16,7 @@ Outcome run_kiosk(std::vector<std::string> more) {
   ProgramCall call;
   call.words = std::move(more);
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
-  return run_program(ghostforce_program(), call);
+  return run_ghostforce(call);
 }
 
 TEST(KioskOptions, ContradictionsAreRefusedInWords) {

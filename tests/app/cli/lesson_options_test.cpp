@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -31,7 +30,7 @@ Outcome run_words(std::vector<std::string> words) {
   ProgramCall call;
   call.words = std::move(words);
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
-  return run_program(ghostforce_program(), call);
+  return run_ghostforce(call);
 }
 
 std::vector<std::string> joined(std::vector<std::string> words, const std::vector<std::string>& more) {

@@ -1,5 +1,5 @@
 // What is written so that groff shows it as it was meant.
-#include "app/cli/man_page.h"
+#include "app/cli/manual.h"
 
 #include <string>
 

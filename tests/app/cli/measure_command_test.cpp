@@ -7,7 +7,6 @@
 #include <csignal>
 #include <filesystem>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 
@@ -107,7 +106,7 @@ TEST_F(MeasureCommand, ExitCodesOfWhatIsInTheWay) {
   EXPECT_EQ(measure(enters, "--misbehave never-homes").exit_code, 5);
   EXPECT_EQ(measure(enters, "-o /nowhere/report.md").exit_code, 8);
   EXPECT_EQ(measure(enters, "--json").exit_code, 2);
-  EXPECT_EQ(run_program(ghostforce_program(), {"doctor", "--calibration", "f.toml"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"doctor", "--calibration", "f.toml"}).exit_code, 2);
 }
 
 }  // namespace

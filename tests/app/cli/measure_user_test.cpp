@@ -13,7 +13,6 @@
 #include "app/files/scene_file.h"
 #include "core/measuring_tones.h"
 #include "core/simulate.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -22,7 +21,6 @@ namespace {
 
 class MeasureUser : public testing::Test {
  protected:
-  Outcome run(const std::vector<std::string>& words) { return run_program(ghostforce_program(), words); }
   std::string path(const std::string& name) const { return folder_.path() + "/" + name; }
 
   std::string simulated(const std::vector<std::string>& settings) {
@@ -31,14 +29,14 @@ class MeasureUser : public testing::Test {
       words.emplace_back("--set");
       words.push_back(setting);
     }
-    const Outcome outcome = run(words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return path("run.csv");
   }
   nlohmann::json measured(const std::string& file, const std::vector<std::string>& more = {}) {
     std::vector<std::string> words{"measure-user", file, "--json"};
     words.insert(words.end(), more.begin(), more.end());
-    const Outcome outcome = run(words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     return nlohmann::json::parse(outcome.out);
   }
@@ -134,7 +132,7 @@ TEST_F(MeasureUser, TonesTellTheHandWithoutAnyTarget) {
     // Until the tones begin, the hand is at rest; a real one's goal is known by nobody.
     EXPECT_EQ(json["hands"].size(), at_device ? 0U : 1U);
   }
-  const Outcome outcome = run({"measure-user", with_tones(310.0, true)});
+  const Outcome outcome = run_ghostforce({"measure-user", with_tones(310.0, true)});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("measured live, at 3 Hz along the motor: median 3"), std::string::npos) << outcome.out;
 }
@@ -149,7 +147,7 @@ TEST_F(MeasureUser, TonesAreNoLimit) {
 }
 
 TEST_F(MeasureUser, AForceAtItsLimitTellsNoHand) {
-  const Outcome outcome = run({"measure-user", with_tones(310.0, true, true), "--json"});
+  const Outcome outcome = run_ghostforce({"measure-user", with_tones(310.0, true, true), "--json"});
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.err.find("at its limit"), std::string::npos) << outcome.err;
   const nlohmann::json json = nlohmann::json::parse(outcome.out);
@@ -209,7 +207,7 @@ TEST_F(MeasureUser, AHandThatChangesIsOneForEachStiffness) {
 }
 
 TEST_F(MeasureUser, TellsPeopleTheMedianAndTheGivenValue) {
-  const Outcome outcome = run({"measure-user", simulated({"user.believed_k_u_N_per_m=50"})});
+  const Outcome outcome = run_ghostforce({"measure-user", simulated({"user.believed_k_u_N_per_m=50"})});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("median 200.00 N/m of 2 readings"), std::string::npos) << outcome.out;
@@ -219,7 +217,7 @@ TEST_F(MeasureUser, TellsPeopleTheMedianAndTheGivenValue) {
 TEST_F(MeasureUser, ADeviceNeedsTheTargetThatWasAimedAt) {
   const Vector<2> aim{0.012, -0.016};
   const std::string file = of_a_device(aim, 150.0);
-  const Outcome without = run({"measure-user", file});
+  const Outcome without = run_ghostforce({"measure-user", file});
   EXPECT_EQ(without.exit_code, 2);
   EXPECT_NE(without.err.find("--target-mm"), std::string::npos) << without.err;
   EXPECT_EQ(without.out, "");
@@ -245,7 +243,7 @@ TEST_F(MeasureUser, ForcesThatWereLimitedAreNoReading) {
   const Vector<2> aim{0.012, -0.016};
   const std::string words = "gave less than was asked";
   const auto expect_limited = [&](const std::string& file) {
-    const Outcome outcome = run({"measure-user", file, "--target-mm=-2,-2"});
+    const Outcome outcome = run_ghostforce({"measure-user", file, "--target-mm=-2,-2"});
     EXPECT_EQ(outcome.exit_code, 1) << outcome.out;
     EXPECT_NE(outcome.err.find(words), std::string::npos) << outcome.err;
   };
@@ -310,17 +308,17 @@ TEST_F(MeasureUser, EachHandHasItsOwnMedian) {
   EXPECT_EQ(json["hands"][1]["given_k_u_N_per_m"], 900.0);
   EXPECT_EQ(json["hands"][1]["count"], 3);
   EXPECT_NEAR(json["hands"][1]["k_u_N_per_m"]["median"].get<double>(), 900.0, 0.9);
-  const std::string table = run({"measure-user", path("hands.csv")}).out;
+  const std::string table = run_ghostforce({"measure-user", path("hands.csv")}).out;
   EXPECT_NE(table.find("given to the simulated hand: 200.00 N/m"), std::string::npos) << table;
   EXPECT_NE(table.find("given to the simulated hand: 900.00 N/m"), std::string::npos) << table;
 }
 
 TEST_F(MeasureUser, SaysThatATargetIsOfNoUseWhereTheGoalIsGiven) {
   const std::string file = simulated({});
-  const Outcome outcome = run({"measure-user", file, "--target-mm=0,0"});
+  const Outcome outcome = run_ghostforce({"measure-user", file, "--target-mm=0,0"});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_NE(outcome.err.find("--target-mm, which is for a real device, is not used"), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.out, run({"measure-user", file}).out);
+  EXPECT_EQ(outcome.out, run_ghostforce({"measure-user", file}).out);
 }
 
 TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
@@ -328,7 +326,7 @@ TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
     for (const bool json : {false, true}) {
       std::vector<std::string> words{"measure-user", file};
       if (json) words.emplace_back("--json");
-      const Outcome outcome = run(words);
+      const Outcome outcome = run_ghostforce(words);
       EXPECT_EQ(outcome.exit_code, 1) << outcome.err;
       EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.out.empty(), !json);
@@ -344,16 +342,16 @@ TEST_F(MeasureUser, SaysWhyThereIsNoReading) {
 }
 
 TEST_F(MeasureUser, RefusesWhatItCannotRead) {
-  const Outcome absent = run({"measure-user", path("absent.csv")});
+  const Outcome absent = run_ghostforce({"measure-user", path("absent.csv")});
   EXPECT_EQ(absent.exit_code, 2);
   EXPECT_NE(absent.err.find("no such file"), std::string::npos);
-  const Outcome nothing = run({"measure-user"});
+  const Outcome nothing = run_ghostforce({"measure-user"});
   EXPECT_EQ(nothing.exit_code, 2);
-  const Outcome nowhere = run({"measure-user", simulated({}), "--target-mm=here"});
+  const Outcome nowhere = run_ghostforce({"measure-user", simulated({}), "--target-mm=here"});
   EXPECT_EQ(nowhere.exit_code, 2);
   EXPECT_NE(nowhere.err.find("--target-mm"), std::string::npos);
   std::ofstream(path("text.csv")) << "once upon a time\n";
-  EXPECT_EQ(run({"measure-user", path("text.csv")}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"measure-user", path("text.csv")}).exit_code, 2);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST_F(MemoryLimit, AdvisesNoSmallerPictureWhereThereIsNone) {
 }
 
 TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
-  ASSERT_EQ(run_program(ghostforce_program(), {"simulate", "wall45", "-o", folder / "run.csv"}).exit_code, 0);
+  ASSERT_EQ(run_ghostforce({"simulate", "wall45", "-o", folder / "run.csv"}).exit_code, 0);
   write_whole(folder / "case.toml", "scene = \"wall45\"\nsize = [4096, 4096]\n");
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"simulate", "wall45", "-o", "again.csv"},

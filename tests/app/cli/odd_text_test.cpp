@@ -124,7 +124,7 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
     write_whole(folder / "odd.toml", scene_with(title, "\"b\""));
     std::filesystem::create_directories(folder / "cases");
     write_whole(folder / "cases/a.toml", "scene = \"../odd.toml\"\n");
-    std::string run = run_program(ghostforce_program(), {"simulate", "wall45", "--set", "goal.duration_s=0.1"}).out;
+    std::string run = run_ghostforce({"simulate", "wall45", "--set", "goal.duration_s=0.1"}).out;
     const std::size_t at = run.find("# title = ");
     ASSERT_NE(at, std::string::npos);
     run.replace(at, run.find('\n', at) - at, fmt::format("# title = {}", title));
@@ -136,17 +136,17 @@ TEST(SceneTexts, OfAnOddKindAreAWrongCallEverywhere) {
           {"run", folder / "odd.toml", "--input", "script", "--exit-after", "1"},
           {"simulate", folder / "odd.toml"},
           {"check", folder / "cases"}}) {
-      const Outcome outcome = run_program(ghostforce_program(), words);
+      const Outcome outcome = run_ghostforce(words);
       EXPECT_EQ(outcome.exit_code, 2) << words[0] << ' ' << title << '\n' << outcome.err;
       EXPECT_NE(outcome.err.find("odd.toml:2:9: the key title: contains "), std::string::npos) << outcome.err;
       EXPECT_EQ(outcome.err.find('\0'), std::string::npos);
     }
     // The scene of a recording stands in its lines, and so does the place.
-    const Outcome replayed = run_program(ghostforce_program(), {"replay", folder / "odd.csv"});
+    const Outcome replayed = run_ghostforce({"replay", folder / "odd.csv"});
     EXPECT_EQ(replayed.exit_code, 2) << replayed.err;
     EXPECT_NE(replayed.err.find("odd.csv:5:11: the key title: contains "), std::string::npos) << replayed.err;
     // Its hand can be played in another one.
-    const Outcome elsewhere = run_program(ghostforce_program(), {"replay", folder / "odd.csv", "wall45"});
+    const Outcome elsewhere = run_ghostforce({"replay", folder / "odd.csv", "wall45"});
     EXPECT_EQ(elsewhere.exit_code, 0) << elsewhere.err;
     EXPECT_NE(elsewhere.err.find("the scene in it cannot be read"), std::string::npos) << elsewhere.err;
   }
@@ -157,7 +157,7 @@ TEST(CaseTexts, OfAnOddKindAreToldWithTheirPlace) {
   std::filesystem::create_directories(folder / "cases");
   write_whole(folder / "cases/a.toml",
               "scene = \"\\u0000wall45\"\nmatch = \"\\uFFFF\"\ntheme = \"\\u001B\"\n[golden]\nmesa = \"\\u009B\"\n");
-  const Outcome outcome = run_program(ghostforce_program(), {"check", folder / "cases"});
+  const Outcome outcome = run_ghostforce({"check", folder / "cases"});
   EXPECT_EQ(outcome.exit_code, 2);
   for (const std::string_view words :
        {"a.toml:1:9: the key scene: contains the control character U+0000; remove it",
@@ -185,9 +185,9 @@ TEST(VectorWords, AreDrawnWhateverTheyAre) {
 TEST(FileNames, MayHoldAnythingInFigures) {
   const TemporaryFolder folder;
   for (const std::string name : {"\xFF.csv", "\xEF\xBF\xBE.csv", "a\x01.csv"}) {
-    ASSERT_EQ(run_program(ghostforce_program(), {"simulate", "wall45", "-o", folder / name}).exit_code, 0);
-    const Outcome outcome = run_program(
-        ghostforce_program(), {"figures", "-o", folder / "figures", "--hand", folder / name, "--only", "figure-6"});
+    ASSERT_EQ(run_ghostforce({"simulate", "wall45", "-o", folder / name}).exit_code, 0);
+    const Outcome outcome =
+        run_ghostforce({"figures", "-o", folder / "figures", "--hand", folder / name, "--only", "figure-6"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }
 }

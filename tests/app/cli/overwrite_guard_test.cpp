@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -25,7 +24,7 @@ class OwnInputs : public testing::Test {
  protected:
   OwnInputs() {
     write_whole(folder_ / "scene.toml", scene_text(load_scene("wall45")));
-    EXPECT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder_ / "run.csv"}).exit_code, 0);
+    EXPECT_EQ(run_ghostforce({"simulate", "fig1", "-o", folder_ / "run.csv"}).exit_code, 0);
   }
 
   // Words are divided by spaces; they run in the folder.

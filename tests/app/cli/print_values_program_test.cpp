@@ -37,7 +37,7 @@ TEST(PrintValuesProgram, PrintsWhatTheStageSays) {
 
 TEST(PrintValuesProgram, EndsAtTheEndOfALine) {
   const Display display(1280, 800);
-  const Outcome outcome = run_program(ghostforce_program(), printing_on(display, {"--exit-after", "0"}));
+  const Outcome outcome = run_ghostforce(printing_on(display, {"--exit-after", "0"}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("# sentence\tstrategy\t")) << outcome.out;
   EXPECT_EQ(outcome.out.find('\n'), outcome.out.size() - 1) << outcome.out;
@@ -48,7 +48,7 @@ TEST(PrintValuesProgram, EndsInSilenceWhenItsReaderGoes) {
   const Display display(1280, 800);
   ProgramCall call = printing_on(display, {"--input", "circle"});
   call.close_after_first_piece = true;
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(read_whole(display.layout_file()), "") << "it ends as if the window had been closed";
@@ -58,14 +58,14 @@ TEST(PrintValuesProgram, AFullDiskIsAnExitCode) {
   const Display display(1280, 800);
   ProgramCall call = printing_on(display, {"--exit-after", "0"});
   call.out_to = "/dev/full";
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 8);
   EXPECT_NE(outcome.err.find("not all values were printed: No space left on device"), std::string::npos) << outcome.err;
 }
 
 TEST(PrintValuesProgram, RefusesWhatNobodyCouldReadOrWaitFor) {
   for (const char* hz : {"61", "0", "nan", "five"}) {
-    const Outcome outcome = run_program(ghostforce_program(), {"run", "--print-values", hz});
+    const Outcome outcome = run_ghostforce({"run", "--print-values", hz});
     EXPECT_EQ(outcome.exit_code, 2) << hz;
     EXPECT_NE(outcome.err.find("0.1 to 60 Hz"), std::string::npos) << outcome.err;
   }

@@ -160,8 +160,7 @@ TEST_F(ReadingAloudTest, AFullDiskIsSaid) {
   ReadingAloud to_disk(60.0, full);
   while (to_disk.output_problem() == 0) to_disk.follow(*application_, frame_s);
   EXPECT_EQ(to_disk.output_problem(), ENOSPC);
-  ASSERT_TRUE(session().notice);
-  EXPECT_TRUE(session().notice->words.starts_with("The values are no longer printed: No space left"));
+  EXPECT_TRUE(notice().starts_with("The values are no longer printed: No space left"));
 }
 
 TEST_F(ReadingAloudTest, FinishedItKnowsWhatBecameOfTheLastLine) {
@@ -201,9 +200,8 @@ TEST_F(ReadingAloudTest, WithoutASpeechServiceItSaysWhyAndKeepsTheChoice) {
   };
   follow();
   EXPECT_EQ(session().speech_problem, why);
-  ASSERT_TRUE(session().notice);
-  EXPECT_EQ(session().notice->words, why);
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_EQ(notice(), why);
+  EXPECT_TRUE(is_problem());
   EXPECT_TRUE(panel_says_why());
   EXPECT_EQ(faults_of(words_on_screen()), std::vector<std::string>{});
   // The next run tries again, and this one does not.

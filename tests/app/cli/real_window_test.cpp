@@ -209,7 +209,7 @@ TEST(RealWindow, SaysWhichOpenGlThereIsWhenItIsTooOld) {
   call.words = {"run"};
   call.environment = display.environment();
   call.environment.push_back("MESA_GL_VERSION_OVERRIDE=2.1");
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 6);
   EXPECT_NE(outcome.err.find("OpenGL 2.1"), std::string::npos) << outcome.err;
 }

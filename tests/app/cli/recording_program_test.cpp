@@ -95,7 +95,7 @@ TEST(RecordingProgram, TheDisplayOrTheWindowGoesItSaysSoAndClosesTheFile) {
     ProgramCall call;
     call.words = {"run", "--input", "script", "--no-hints", "--record", path};
     call.environment = display.environment();
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 6) << way.words;
     EXPECT_NE(outcome.err.find(way.words), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("run.csv"), std::string::npos) << outcome.err;
@@ -204,7 +204,7 @@ TEST(RecordingProgram, SaysThatTheFolderHasVanished) {
 
 TEST(RecordingProgram, IsAskedForAFile) {
   for (const std::string no_file : {"", "-"}) {
-    const Outcome outcome = run_program(ghostforce_program(), {"run", "--exit-after", "0.1", "--record", no_file});
+    const Outcome outcome = run_ghostforce({"run", "--exit-after", "0.1", "--record", no_file});
     EXPECT_EQ(outcome.exit_code, 2) << no_file;
     EXPECT_NE(outcome.err.find("--record: name a file"), std::string::npos) << outcome.err;
   }

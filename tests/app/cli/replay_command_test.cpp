@@ -14,7 +14,6 @@
 #include <string>
 #include <string_view>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -31,10 +30,6 @@
 
 namespace ghostforce::replay_command_test {
 namespace {
-
-Outcome run_ghostforce(std::vector<std::string> words) {
-  return run_program(ghostforce_program(), std::move(words));
-}
 
 bool says(const Outcome& outcome, std::string_view words) {
   return outcome.err.find(words) != std::string::npos;
@@ -397,13 +392,12 @@ TEST(ReplayCommand, LeavesNothingWhenInterrupted) {
       run_ghostforce({"simulate", "fig1", "--strategy", "all", "--set", "goal.duration_s=60", "-o", folder / "run.csv"})
           .exit_code,
       0);
-  const Outcome outcome =
-      run_program(ghostforce_program(), {.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
-                                         .environment = {},
-                                         .folder = {},
-                                         .out_to = {},
-                                         .signal_when_created_in = results.path(),
-                                         .signal = SIGINT});
+  const Outcome outcome = run_ghostforce({.words = {"replay", folder / "run.csv", "-o", results / "again.csv"},
+                                          .environment = {},
+                                          .folder = {},
+                                          .out_to = {},
+                                          .signal_when_created_in = results.path(),
+                                          .signal = SIGINT});
   EXPECT_EQ(outcome.exit_code, 130);
   EXPECT_EQ(results.count(), 0);
 }

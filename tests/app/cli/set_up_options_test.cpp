@@ -10,7 +10,6 @@
 #include "app/base/shell_word.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
@@ -65,7 +64,7 @@ TEST(RenderedPicture, SaysWhatItShows) {
                                  "--size", "320x240", "-o"});
       for (const std::string name : {"a.", "b."}) {
         words.push_back(folder / (name + ending));
-        ASSERT_EQ(run_program(ghostforce_program(), words).exit_code, 0);
+        ASSERT_EQ(run_ghostforce(words).exit_code, 0);
         words.pop_back();
       }
       EXPECT_EQ(read_whole(folder / ("a." + ending)), read_whole(folder / ("b." + ending)));

@@ -7,7 +7,6 @@
 
 #include "app/files/run_reader.h"
 #include "core/divergence.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -21,7 +20,7 @@ class UnstableLoop : public testing::Test {
  protected:
   static Outcome run(std::vector<std::string> words, const std::vector<std::string>& more = {}) {
     words.insert(words.end(), more.begin(), more.end());
-    return run_program(ghostforce_program(), words);
+    return run_ghostforce(words);
   }
 
   // What was written until the naive device ran away.

@@ -2,13 +2,11 @@
 #include "app/files/clip_file.h"
 
 #include <stdlib.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <filesystem>
 
 #include <gtest/gtest.h>
 

@@ -318,12 +318,12 @@ TEST(OutputFile, OfAKilledProgramGoesWithTheNextStart) {
   killed.program->send(SIGKILL);
   EXPECT_EQ(killed.program->wait_for_end(), 128 + SIGKILL);
   ASSERT_TRUE(std::filesystem::exists(killed.part));
-  EXPECT_EQ(run_program(ghostforce_program(), words("next.csv", "3")).exit_code, 0);
+  EXPECT_EQ(run_ghostforce(words("next.csv", "3")).exit_code, 0);
   EXPECT_FALSE(std::filesystem::exists(killed.part));
   std::filesystem::remove(folder / "next.csv");
 
   const Stopped alive = start("alive.csv");
-  EXPECT_EQ(run_program(ghostforce_program(), words("next.csv", "3")).exit_code, 0);
+  EXPECT_EQ(run_ghostforce(words("next.csv", "3")).exit_code, 0);
   EXPECT_TRUE(std::filesystem::exists(alive.part));
   EXPECT_EQ(folder.count(), 2);
 }
@@ -372,7 +372,7 @@ TEST(OutputFile, GuardsTheOldFileUntilTheNewOneIsKept) {
     file.write("new");
     file.finish();
     file.put_in_place();
-    EXPECT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder / "other.csv"}).exit_code, 0);
+    EXPECT_EQ(run_ghostforce({"simulate", "fig1", "-o", folder / "other.csv"}).exit_code, 0);
     EXPECT_EQ(read_whole(path), "new");
   }
   EXPECT_EQ(read_whole(path), "old");

@@ -2,7 +2,6 @@
 #include "app/files/png_file.h"
 #include "app/files/png_writer.h"
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>

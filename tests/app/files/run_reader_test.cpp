@@ -417,9 +417,9 @@ TEST(RunReader, RefusesANewerFormatAndTakesRunsThatTellNone) {
   ASSERT_NE(at, std::string::npos);
   const auto with_line = [&](std::string_view line) { return std::string(text).replace(at, 11, line); };
   EXPECT_EQ(read_run(with_line(""), "old.csv").ticks.size(), read_run(text, "run.csv").ticks.size());
-  for (const auto& [line, words] : {std::pair{"# format 2\n",
-                                              "new.csv:2:1: this is a run of format 2, but this program only knows "
-                                              "format 1; a newer version of ghostforce may read it"},
+  for (const auto& [line, words] : {std::pair{"# format 3\n",
+                                              "new.csv:2:1: this is a run of format 3, but this program only knows "
+                                              "formats 1 to 2; a newer version of ghostforce may read it"},
                                     std::pair{"# format x\n", "new.csv:2:1: this is not the number of a format"},
                                     std::pair{"# format 0\n", "new.csv:2:1: this is not the number of a format"}}) {
     try {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "app/picture/layers.h"
 #include "app/picture/panes.h"
 #include "core/simulate.h"
+#include "tests/support/paper_scenes.h"
 
 namespace ghostforce::compose_test {
 namespace {
@@ -298,7 +298,7 @@ void expect_readable(const std::vector<Box>& boxes, const Vector<2>& size, const
 }
 
 TEST(Compose, NoTwoLabelsOverlapAndNoneIsCutOff) {
-  for (const auto& shipped : shipped_scene_names()) {
+  for (const auto& shipped : paper_scene_names()) {
     for (const Strategy& entry : strategy_catalog()) {
       for (const Compare compare : {Compare::overlay, Compare::active_only}) {
         for (const Vector<2>& size : {Vector<2>(674.0, 564.0), Vector<2>(853.0, 724.0), Vector<2>(1450.0, 1000.0)}) {
@@ -311,7 +311,7 @@ TEST(Compose, NoTwoLabelsOverlapAndNoneIsCutOff) {
 }
 
 TEST(Panes, ShowEachStrategyAloneWithWordsThatCanBeRead) {
-  for (const auto& shipped : shipped_scene_names()) {
+  for (const auto& shipped : paper_scene_names()) {
     const Picture picture = picture_of(std::string(shipped), StrategyId::naive, Compare::overlay);
     for (const Vector<2>& size : {Vector<2>(674.0, 564.0), Vector<2>(853.0, 724.0), Vector<2>(1450.0, 1000.0)}) {
       const std::vector<Pane> panes = compose_panes({.settings = picture.scene.settings,

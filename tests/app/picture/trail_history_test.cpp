@@ -1,7 +1,6 @@
 #include "app/picture/trail_history.h"
 
 #include <gtest/gtest.h>
-#include <glm/geometric.hpp>
 
 namespace ghostforce::trail_history_test {
 namespace {

@@ -2,7 +2,6 @@
 // still.
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <functional>
 #include <numbers>
 #include <optional>

@@ -269,13 +269,7 @@ class RecordingWindow : public DrivenWindow {
   }
   void press_record_button() { click_at(863.0, 23.0); }
   // The sign in the button is red then.
-  bool picture_is_recording() {
-    const Image image = picture();
-    const std::size_t i = 3U * (23U * static_cast<std::size_t>(image.width) + 863U);
-    const Colour problem = session().appearance.theme->problem;
-    return image.rgb[i] == problem.red && image.rgb[i + 1] == problem.green && image.rgb[i + 2] == problem.blue;
-  }
-  std::string notice() { return session().notice ? session().notice->words : ""; }
+  bool picture_is_recording() { return pixel(picture(), 863, 23) == session().appearance.theme->problem; }
 
   TemporaryFolder folder_;
 };
@@ -306,7 +300,7 @@ TEST_F(RecordingWindow, RepeatsWhatAPersonDidThere) {
   stop();
   EXPECT_TRUE(notice().starts_with("Recorded ")) << notice();
   EXPECT_NE(notice().find(folder_ / "run.csv"), std::string::npos) << notice();
-  EXPECT_FALSE(session().notice->is_problem);
+  EXPECT_FALSE(is_problem());
   const auto run = load_run(folder_ / "run.csv");
   EXPECT_GE(run.settings.size(), 5U);
   EXPECT_EQ(run.states.size(), 3U) << "its beginning in mid-motion, and two resets";
@@ -347,7 +341,7 @@ TEST_F(RecordingWindow, TellsWhatCannotBeWrittenAndGoesOn) {
   write_whole(folder_ / "run.csv", "precious");
   record(folder_ / "run.csv");
   EXPECT_NE(notice().find("never overwrites a file"), std::string::npos) << notice();
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(is_problem());
   EXPECT_EQ(read_whole(folder_ / "run.csv"), "precious");
   const std::int64_t tick = now().tick;
   frames(3);
@@ -364,7 +358,7 @@ TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
     frames(1);
     return !notice().empty();
   });
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(is_problem());
   EXPECT_NE(notice().find(" s of recording are lost: "), std::string::npos) << notice();
   EXPECT_NE(notice().find(folder_ / "gone/run.csv was removed"), std::string::npos) << notice();
   EXPECT_EQ(application_->recording_problem(), notice());
@@ -374,7 +368,7 @@ TEST_F(RecordingWindow, SaysSoWhenWhatItRecordsIsGone) {
   frames(10);
   std::filesystem::rename(folder_ / "here.csv", folder_ / "there.csv");
   stop();
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(is_problem());
   EXPECT_NE(notice().find("there.csv. It was moved there while it was being written, so it is no longer "),
             std::string::npos)
       << notice();

@@ -16,34 +16,6 @@ TEST_F(ApplicationTest, StartsAtRestAtTheEndOfTheScenesPath) {
   EXPECT_GT(application_->history().points().size(), 50U) << "the way there is on screen as a trail";
 }
 
-TEST_F(ApplicationTest, KeysChooseTheStrategyAndThePictureFollows) {
-  Image before = picture();
-  for (const auto& [key, id] :
-       {std::pair{key::digit_3, StrategyId::anisotropic}, std::pair{key::digit_1, StrategyId::full},
-        std::pair{key::digit_2, StrategyId::naive}}) {
-    press(key);
-    EXPECT_EQ(session().settings.active, id);
-    const Image after = picture();
-    EXPECT_NE(before, after) << strategy(id).name;
-    before = after;
-  }
-}
-
-TEST_F(ApplicationTest, SpacePausesAndAFullStopSteps) {
-  press(key::space);
-  EXPECT_TRUE(session().paused);
-  frames(2);
-  const std::int64_t paused_at = application_->report().snapshot.tick;
-  frames(5);
-  EXPECT_EQ(application_->report().snapshot.tick, paused_at);
-  press(key::period);
-  frames(2);
-  EXPECT_EQ(application_->report().snapshot.tick, paused_at + 1);
-  press(key::space);
-  frames(3);
-  EXPECT_GT(application_->report().snapshot.tick, paused_at + 1);
-}
-
 TEST_F(ApplicationTest, TheGoalFollowsADragAnywhereInTheScene) {
   const Vector<2> target{0.005, 0.012};
   const Vector<2> there = on_window(target);
@@ -108,18 +80,6 @@ TEST_F(ApplicationTest, EveryStrategyButtonWorksUnderThePointer) {
   EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
   click_at(90.0, 22.0);
   EXPECT_EQ(session().settings.active, StrategyId::full);
-}
-
-TEST_F(ApplicationTest, TheScriptedHandPlaysFromThePathsBeginning) {
-  open({.input = "script"});
-  EXPECT_LT(application_->report().snapshot.time_s, 0.2);
-  const Vector<2> early = application_->report().snapshot.goal;
-  frames(70);
-  EXPECT_GT(glm::distance(application_->report().snapshot.goal, early), 0.03);
-  const Vector<2> middle = on_window({0.0, 0.0});
-  const Vector<2> before = application_->report().snapshot.goal;
-  click_at(middle.x, middle.y);
-  EXPECT_EQ(application_->report().snapshot.goal, before) << "the pointer does not own this goal";
 }
 
 TEST_F(ApplicationTest, AWindowMinimisedToNothingDrawsNothingAndComesBack) {

@@ -1,12 +1,8 @@
 // At rest nothing is drawn, and whatever a person could see asks for a frame at once. The servo is stepped by hand and
 // every interval is given.
-#include <algorithm>
-#include <utility>
-
 #include "app/stage/idle_show.h"
 #include "app/state/key_bindings.h"
 #include "tests/app/shell/driven_window.h"
-#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::at_rest_test {
@@ -38,13 +34,7 @@ class AtRestTest : public DrivenWindow {
     return drawn;
   }
   Vector<2> drawn_at(Role role) const {
-    for (const Mark& mark : screen().panes()[0].marks) {
-      if (const auto* marker = std::get_if<Marker>(&mark.form); marker && mark.role == role) {
-        return to_screen(screen().panes()[0].camera, marker->center);
-      }
-    }
-    ADD_FAILURE() << "not there";
-    return {};
+    return to_screen(screen().panes()[0].camera, place_of_mark(screen().panes()[0], role));
   }
   // Labels take their time to find better places.
   void settle() { live_for(4.0); }
@@ -80,17 +70,13 @@ TEST_F(AtRestTest, TheWorkbenchOnlyBringsItsCountsUpToDate) {
 }
 
 TEST_F(AtRestTest, TheWordsAtTheDialGoInRealTime) {
-  const auto says_so = [] {
-    return std::ranges::any_of(words_on_screen(),
-                               [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
-  };
   show(Face::workbench);
   press(key::digit_2);
   press(key::equal);
   live_for(3.0);
-  EXPECT_TRUE(says_so());
+  EXPECT_TRUE(says("Only Anisotropic"));
   live_for(1.5);
-  EXPECT_FALSE(says_so()) << "a frame was drawn without them";
+  EXPECT_FALSE(says("Only Anisotropic")) << "a frame was drawn without them";
 }
 
 TEST_F(AtRestTest, EveryTickIsKeptThough) {
@@ -279,6 +265,45 @@ TEST_F(AtRestTest, NoShowBeginsWhereItMustNot) {
   stir();
   live_for(1.0);
   EXPECT_EQ(live_for(10.0), 0) << "the time in the workbench does not count";
+}
+
+TEST_F(AtRestTest, NothingMovesByItselfWhereMotionIsReduced) {
+  act(FollowSystemMotion{true});
+  stir();
+  live_for(1.0);
+  EXPECT_EQ(live_for(2.0 * IdleShow::begins_after_s), 0);
+  act(ChangeMotion{ScreenMotion::full});
+  stir();
+  EXPECT_GT(live_for(2.0 * IdleShow::begins_after_s), 0) << "the person's choice comes before the system's";
+}
+
+TEST_F(AtRestTest, TheStageChangesAtOnceWhereMotionIsReduced) {
+  act(ChangeMotion{ScreenMotion::reduced});
+  stir();
+  press(key::digit_3);
+  EXPECT_EQ(session().settings.active, StrategyId::anisotropic);
+  const Vector<2> device = drawn_at(Role::device);
+  EXPECT_NEAR(device.x, on_window(now().strategies[index_of(StrategyId::anisotropic)].device).x, 1.0);
+  session().stage.mode = StageMode::predict;
+  stir();
+  live_for(2.0);
+  ++session().stage.reveals_asked;
+  stir();
+  EXPECT_LT(live_for(3.5), 60) << "no hand that presses in slowly";
+}
+
+TEST_F(AtRestTest, TheViewIsThereAtOnceWhereMotionIsReduced) {
+  act(ChangeMotion{ScreenMotion::reduced});
+  stir();
+  session().stage_shown.width *= 3.0;
+  stir();
+  const double before = screen().panes()[0].camera.points_per_metre;
+  act(FitView{});
+  stir();
+  const double fitted = screen().panes()[0].camera.points_per_metre;
+  EXPECT_GT(fitted, 2.0 * before);
+  live_for(1.0);
+  EXPECT_EQ(screen().panes()[0].camera.points_per_metre, fitted);
 }
 
 TEST_F(AtRestTest, AHandThatIsHeldStillIsAtRestToo) {

@@ -8,7 +8,6 @@
 #include "app/shell/desktop/glfw_audience_window.h"
 #include "app/state/stage_language.h"
 #include "tests/app/shell/driven_window.h"
-#include "tests/support/screen_text.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::audience_test {
@@ -30,10 +29,6 @@ class AudienceTest : public DrivenWindow {
       count += static_cast<int>(std::ranges::count(pane.marks, role, &Mark::role));
     }
     return count;
-  }
-  bool is_said(std::string_view words) const {
-    return std::ranges::any_of(words_on_screen(),
-                               [&](const ScreenWords& each) { return each.text.find(words) != std::string::npos; });
   }
   // As a display would tell it.
   void press_there(int key) {
@@ -80,13 +75,7 @@ TEST_F(AudienceTest, SeesItAtTheSizeOfItsWindow) {
 }
 
 TEST_F(AudienceTest, SeesWhatThePersonDoes) {
-  const auto goal = [&] {
-    for (const Mark& mark : audience().panes()[0].marks) {
-      const auto* const marker = std::get_if<Marker>(&mark.form);
-      if (marker != nullptr && mark.role == Role::goal) return marker->center;
-    }
-    return Vector<2>(0.0);
-  };
+  const auto goal = [&] { return place_of_mark(audience().panes()[0], Role::goal); };
   const Vector<2> before = goal();
   session().goal += Vector<2>(0.004, 0.0);
   frames(2);
@@ -100,8 +89,8 @@ TEST_F(AudienceTest, SeesWhatThePersonDoes) {
 TEST_F(AudienceTest, NotesAreInTheFirstWindowAlone) {
   const auto& steps = english_stage.lecture.steps;
   press(key::page_down);
-  EXPECT_TRUE(is_said(steps[0].title));
-  EXPECT_TRUE(is_said(filled(english_stage.lecture.next, steps[1].title)));
+  EXPECT_TRUE(says(steps[0].title));
+  EXPECT_TRUE(says(filled(english_stage.lecture.next, steps[1].title)));
   EXPECT_LT(screen().scene_size().y, 800.0) << "they cover nothing of the stage";
   for (const Mark& mark : audience().panes()[0].marks) {
     const auto* const label = std::get_if<Label>(&mark.form);
@@ -109,7 +98,7 @@ TEST_F(AudienceTest, NotesAreInTheFirstWindowAlone) {
   }
   act(ToggleAudience{});
   frames(3);
-  EXPECT_FALSE(is_said(steps[0].title));
+  EXPECT_FALSE(says(steps[0].title));
   EXPECT_EQ(screen().scene_size().y, 800.0);
 }
 

@@ -6,7 +6,6 @@
 
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include "core/simulate.h"
@@ -31,7 +30,6 @@ class ClipWindow : public DrivenWindow {
     act(SaveClip{.path = path, .seconds = seconds, .end_s = now().time_s, .frames_per_second = 10});
     frames(1);
   }
-  std::string notice() { return session().notice ? session().notice->words : ""; }
   bool is_saving() { return notice().starts_with("Saving "); }
   void frames_until_saved() {
     while (is_saving()) frames(1);
@@ -137,7 +135,7 @@ TEST_F(ClipWindow, SaysAtOnceWhatCanNeverBe) {
   ask(folder_ / "clip.mp4", 1.0);
   frames_until_saved();
   EXPECT_NE(notice().find("the encoder is broken"), std::string::npos) << notice();
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(is_problem());
   EXPECT_EQ(folder_.count(), 0);
 }
 

@@ -9,8 +9,11 @@
 #include <imgui_impl_glfw.h>
 
 #include <algorithm>
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/desktop_inputs.h"
@@ -19,10 +22,17 @@
 #include "app/shell/desktop/glfw_window.h"
 #include "app/state/keys.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
+#include "tests/support/screen_text.h"
 
 namespace ghostforce {
 
 inline constexpr double frame_s = 1.0 / 60.0;
+
+inline Colour pixel(const Image& image, int x, int y) {
+  const std::size_t at =
+      3U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(x));
+  return {image.rgb[at], image.rgb[at + 1], image.rgb[at + 2]};
+}
 
 class DrivenWindow : public testing::Test {
  protected:
@@ -37,6 +47,14 @@ class DrivenWindow : public testing::Test {
     application_ = std::make_unique<Application>(*window_, load_scene(scene), options);
     point_at(width - 400.0, height - 5.0);  // nothing there
     frames(3);
+  }
+
+  // With the virtual Falcon, whose clock the servo's steps move, until it is ready to be armed.
+  void open_virtual_falcon(ApplicationOptions options = {}) {
+    options.input = "virtual-falcon";
+    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
+    open(std::move(options));
+    ASSERT_TRUE(frames_until(30.0, [&] { return virtual_falcon().report().state == FalconState::idle; }));
   }
 
   void open_window(int width, int height) {
@@ -77,6 +95,21 @@ class DrivenWindow : public testing::Test {
       for (int k = 0; steps_by_hand_ && k < ticks_per_frame; ++k) application_->servo().step();
       application_->frame(frame_s);
     }
+  }
+
+  // Few of the window and many ticks: drawing is what takes the time. Of model time, at 1 kHz.
+  bool frames_until(double seconds, const std::function<bool()>& is_so) {
+    for (double t = 0.0; t < seconds && !is_so(); t += 0.1) frames(1, 100);
+    return is_so();
+  }
+  // The hand, slowly enough for a hand.
+  void lead_to(const Vector<2>& goal) {
+    const Vector<2> from = session().goal;
+    for (int i = 1; i <= 10; ++i) {
+      session().goal = glm::mix(from, goal, i / 10.0);
+      frames(1, 100);
+    }
+    frames(10, 100);
   }
 
   void point_at(double x, double y) { ImGui_ImplGlfw_CursorPosCallback(window_->handle(), x, y); }
@@ -163,6 +196,50 @@ class DrivenWindow : public testing::Test {
   Vector<2> in_window(const Vector<2>& in_scene) const {
     return {in_scene.x + static_cast<double>(screen().scene_corner().x),
             in_scene.y + static_cast<double>(screen().scene_corner().y)};
+  }
+  // Where the last frame has words that begin so, beside those on the scene.
+  static std::optional<Vector<2>> place_of(std::string_view beginning) {
+    for (const ScreenWords& words : words_on_screen()) {
+      const ImVec2 middle = words.ink.GetCenter();
+      if (words.text.starts_with(beginning)) {
+        return Vector<2>(static_cast<double>(middle.x), static_cast<double>(middle.y));
+      }
+    }
+    return std::nullopt;
+  }
+  void click_on_words(std::string_view beginning) {
+    const std::optional<Vector<2>> place = place_of(beginning);
+    ASSERT_TRUE(place) << beginning << " is not on the screen";
+    click_at(place->x, place->y);
+    frames(2);
+  }
+  // Whether it has these words, which may be broken into lines.
+  static bool says(std::string_view sought) {
+    std::string all;
+    for (const ScreenWords& words : words_on_screen()) all += words.text + " ";
+    return all.find(sought) != std::string::npos;
+  }
+  // All words on the scene, in the order in which they are drawn.
+  std::string words_of_scene() const {
+    std::string all;
+    for (const Mark& mark : screen().panes().front().marks) {
+      if (const auto* const label = std::get_if<Label>(&mark.form)) all += label->text + " ";
+    }
+    return all;
+  }
+  bool scene_says(std::string_view words) const { return words_of_scene().find(words) != std::string::npos; }
+  // What there is to tell; empty: nothing.
+  std::string notice() { return session().notice ? session().notice->words : ""; }
+  bool is_problem() { return session().notice && session().notice->is_problem; }
+
+  // Where a pane has a mark of that role, such as the goal [m].
+  static Vector<2> place_of_mark(const Pane& pane, Role role) {
+    for (const Mark& mark : pane.marks) {
+      const auto* const marker = std::get_if<Marker>(&mark.form);
+      if (marker != nullptr && mark.role == role) return marker->center;
+    }
+    ADD_FAILURE() << "not there";
+    return {};
   }
   int count_marks(Role role, std::optional<StrategyId> id = {}) const {
     int count = 0;

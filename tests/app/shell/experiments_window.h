@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 #include <imgui_internal.h>
 
-#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -43,23 +42,6 @@ class ExperimentsWindow : public DrivenWindow {
   void click(const Vector<2>& at) {
     press_at(at);
     release();
-  }
-  // With one panel open, until the device is ready to be armed.
-  void open_virtual_falcon(std::string_view open_panel) {
-    ApplicationOptions options = with_panel(open_panel);
-    options.input = "virtual-falcon";
-    options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-    open(options);
-    for (int i = 0; i < 300 && virtual_falcon().report().state != FalconState::idle; ++i) frames(1, 100);
-  }
-  // The simulated hand at the device, slowly enough for a hand.
-  void lead_to(const Vector<2>& goal) {
-    const Vector<2> from = session().goal;
-    for (int i = 1; i <= 10; ++i) {
-      session().goal = glm::mix(from, goal, i / 10.0);
-      frames(1, ticks / 2);
-    }
-    frames(10, ticks / 2);
   }
   UserMeasurement& measurement() { return session().measurement; }
   // The heights between which the first button of a row can be clicked in the column of panels; empty: nowhere.

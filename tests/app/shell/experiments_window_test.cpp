@@ -1,5 +1,4 @@
 // The experiments in the window besides the guided measurement: beliefs, round and round, the panels themselves.
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -10,7 +9,6 @@
 #include <imgui_internal.h>
 
 #include "app/shell/preferences.h"
-#include "core/energy.h"
 #include "core/ghost_force.h"
 #include "tests/app/shell/experiments_window.h"
 #include "tests/support/temporary_folder.h"

@@ -1,14 +1,12 @@
 // Files that a person chooses in the desktop's own dialogs, where it has some.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
 #include "app/files/file_exchange.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/places.h"
-#include "tests/support/screen_text.h"
 
 namespace ghostforce::file_dialogs_test {
 namespace {
@@ -32,18 +30,6 @@ class FakeChooser final : public FileChooser {
 
 class FileDialogsTest : public DrivenWindow {
  protected:
-  // Where the last frame has these words.
-  std::optional<Vector<2>> place_of(std::string_view words) const {
-    for (const ScreenWords& each : words_on_screen()) {
-      if (each.text == words) return Vector<2>(each.ink.GetCenter().x, each.ink.GetCenter().y);
-    }
-    return std::nullopt;
-  }
-  void press_button(std::string_view words) {
-    const auto place = place_of(words);
-    ASSERT_TRUE(place) << words;
-    click_at(place->x, place->y);
-  }
   void show(Dialog dialog) {
     act(OpenDialog{dialog});
     frames(4);
@@ -64,7 +50,7 @@ TEST_F(FileDialogsTest, AreOfferedWhereTheyAre) {
 TEST_F(FileDialogsTest, APlaceFillsTheFieldAndSavesNothingYet) {
   show(Dialog::save_scene);
   const std::string proposed = session().form.path;
-  press_button("Browse…");
+  click_on_words("Browse…");
   ASSERT_TRUE(chooser_.asked);
   EXPECT_EQ(chooser_.asked->new_file, proposed);
   chooser_.choose("/tmp/elsewhere.toml");
@@ -77,7 +63,7 @@ TEST_F(FileDialogsTest, APlaceFillsTheFieldAndSavesNothingYet) {
 TEST_F(FileDialogsTest, WhoCancelsKeepsThePath) {
   show(Dialog::save_scene);
   const std::string proposed = session().form.path;
-  press_button("Browse…");
+  click_on_words("Browse…");
   chooser_.answer = FileAnswer{.question = *chooser_.asked};
   frames(2);
   EXPECT_EQ(session().form.path, proposed);
@@ -86,7 +72,7 @@ TEST_F(FileDialogsTest, WhoCancelsKeepsThePath) {
 
 TEST_F(FileDialogsTest, APlaceForAFormThatWasClosedIsForgotten) {
   show(Dialog::save_scene);
-  press_button("Browse…");
+  click_on_words("Browse…");
   act(CloseDialog{});
   frames(3);
   show(Dialog::save_picture);
@@ -98,7 +84,7 @@ TEST_F(FileDialogsTest, APlaceForAFormThatWasClosedIsForgotten) {
 
 TEST_F(FileDialogsTest, AFileIsOpened) {
   show(Dialog::open_scene);
-  press_button("Open a file…");
+  click_on_words("Open a file…");
   ASSERT_TRUE(chooser_.asked);
   EXPECT_FALSE(chooser_.asked->new_file);
   chooser_.choose(source_path("/assets/scenes/fig1.toml"));
@@ -109,11 +95,10 @@ TEST_F(FileDialogsTest, AFileIsOpened) {
 
 TEST_F(FileDialogsTest, AProblemIsTold) {
   show(Dialog::open_scene);
-  press_button("Open a file…");
+  click_on_words("Open a file…");
   chooser_.answer = FileAnswer{.question = *chooser_.asked, .problem = "It has failed."};
   frames(2);
-  ASSERT_TRUE(session().notice);
-  EXPECT_EQ(session().notice->words, "It has failed.");
+  EXPECT_EQ(notice(), "It has failed.");
 }
 
 }  // namespace

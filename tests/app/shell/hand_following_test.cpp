@@ -1,22 +1,14 @@
 // A belief that follows the hand, in the window: who changes it, who wins, and what keeps it.
 #include "app/shell/hand_following.h"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <string_view>
-#include <vector>
 
-#include "app/files/run_reader.h"
-#include "app/runs/replay.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/set_up_of.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "app/state/user_measurement_guide.h"
-#include "core/belief.h"
 #include "tests/app/shell/driven_window.h"
-#include "tests/support/screen_text.h"
-#include "tests/support/temporary_folder.h"
 
 namespace ghostforce::hand_following_test {
 namespace {
@@ -281,25 +273,9 @@ TEST_F(HandFollowingWindow, ASetUpHasTheBeliefOfTheMoment) {
   EXPECT_EQ(set_up_of(session(), application_->shown()).scene.settings.stiffnesses.believed_k_u, believed());
 }
 
-TEST_F(HandFollowingWindow, UnknownItHoldsAndThenGoesToLeastRegret) {
-  follow_until_it_is_right();
-  const double known = *believed();
-  session().goal = {0.0, 0.05};  // out of the wall
-  seconds(2.5);
-  EXPECT_EQ(believed(), known) << "for 3 s";
-  EXPECT_GT(application_->reading().hand_unknown_s, 2.0);
-  seconds(4.0);
-  EXPECT_EQ(believed(), least_regret_belief(session().settings));
-  EXPECT_EQ(session().belief_source, BeliefSource::live);
-}
-
 TEST_F(HandFollowingWindow, DialPanelAndPlotSayWhatIsMeasured) {
   session().plots.is_open = true;
   session().plots.tab = PlotTab::hand;
-  const auto says = [](std::string_view words) {
-    return std::ranges::any_of(words_on_screen(),
-                               [&](const ScreenWords& each) { return each.text.find(words) != std::string::npos; });
-  };
   frames(3);
   EXPECT_TRUE(says("not measured"));
   follow_until_it_is_right();
@@ -318,34 +294,6 @@ TEST_F(HandFollowingWindow, DialPanelAndPlotSayWhatIsMeasured) {
   frames(3);
   for (const char* const words : {"live optimal", "hand: ", "Measured live", "given"})
     EXPECT_FALSE(says(words)) << words;
-}
-
-// Every change of ρ is in the file: a replay is bit for bit.
-TEST_F(HandFollowingWindow, ARecordingOfItIsReplayedBitForBit) {
-  const TemporaryFolder folder;
-  const std::string path = folder / "live.csv";
-  stiffnesses().believed_k_u = 900.0;
-  frames(2);
-  follow();
-  seconds(3.0);  // it is on its way
-  act(StartRecording{path});
-  frames(2);
-  seconds(1.0);
-  stiffnesses().k_u = 500.0;
-  seconds(4.0);
-  act(StopRecording{});
-  frames(2);
-  EXPECT_EQ(application_->recording_problem(), "");
-  const auto run = load_run(path);
-  std::vector<double> beliefs;
-  const ReplayReport report = replay(run, [&](const ReplayedTick& tick) {
-    const double k_u = *tick.settings.stiffnesses.believed_k_u;
-    if (beliefs.empty() || beliefs.back() != k_u) beliefs.push_back(k_u);
-  });
-  EXPECT_EQ(agreement(run, report), Agreement::identical);
-  EXPECT_EQ(report.resumed, 1) << "once, at its beginning: it never had to be told again where it was";
-  EXPECT_GE(beliefs.size(), 5U) << "to twice the stiffness it takes ln(4/2.2)/(0.1 per step) steps";
-  EXPECT_NEAR(beliefs.back(), 500.0, 50.0);
 }
 
 }  // namespace

@@ -128,9 +128,8 @@ TEST_F(InputLinkTest, AnInputThatIsNotInTheListIsRefusedAndTheOneInUseStays) {
   act(ChooseInput{"falcon"});
   frames(2);
   EXPECT_EQ(session().input, "switch");
-  ASSERT_TRUE(session().notice);
-  EXPECT_TRUE(session().notice->is_problem);
-  EXPECT_NE(session().notice->words.find("falcon"), std::string::npos) << session().notice->words;
+  EXPECT_TRUE(is_problem());
+  EXPECT_NE(notice().find("falcon"), std::string::npos) << notice();
 }
 
 TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
@@ -139,9 +138,8 @@ TEST_F(InputLinkTest, AnInputThatHasToStayStaysAndSaysWhy) {
   act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "switch");
-  ASSERT_TRUE(session().notice);
-  EXPECT_TRUE(session().notice->is_problem);
-  EXPECT_EQ(session().notice->words, "It still pushes.");
+  EXPECT_TRUE(is_problem());
+  EXPECT_EQ(notice(), "It still pushes.");
   const int samples = log_.samples;
   frames(3);
   EXPECT_GT(log_.samples, samples) << "it goes on";
@@ -169,8 +167,7 @@ TEST_F(InputLinkTest, AFalconThatIsOwedAStopIsNotLeft) {
   act(ChooseInput{"mouse"});
   frames(2);
   EXPECT_EQ(session().input, "falcon");
-  ASSERT_TRUE(session().notice);
-  EXPECT_NE(session().notice->words.find("may still push"), std::string::npos) << session().notice->words;
+  EXPECT_NE(notice().find("may still push"), std::string::npos) << notice();
   act(OpenScene{"fig1"});
   frames(2);
   EXPECT_EQ(session().scene->title, load_scene("fig1").title) << "another scene is no other input";
@@ -202,12 +199,12 @@ TEST_F(InputLinkTest, WithoutAPainterOfFilesPixelsAndNumbersCanStillBeSaved) {
   act(SavePicture{.path = folder / "a.png"});
   act(SavePlots{.path = folder / "a.csv"});
   frames(1);
-  EXPECT_FALSE(session().notice->is_problem) << session().notice->words;
+  EXPECT_FALSE(is_problem()) << notice();
   EXPECT_EQ(folder.count(), 2);
   act(SavePicture{.path = folder / "a.pdf"});
   frames(1);
-  EXPECT_TRUE(session().notice->is_problem);
-  EXPECT_NE(session().notice->words.find(".png"), std::string::npos) << session().notice->words;
+  EXPECT_TRUE(is_problem());
+  EXPECT_NE(notice().find(".png"), std::string::npos) << notice();
   EXPECT_EQ(folder.count(), 2);
 }
 

@@ -9,11 +9,8 @@
 
 #include <imgui_internal.h>
 
-#include "app/state/apply.h"
-#include "app/state/user_measurement_guide.h"
 #include "app/widgets/focus.h"
 #include "tests/app/shell/driven_window.h"
-#include "tests/support/screen_text.h"
 
 namespace ghostforce::keyboard_test {
 namespace {
@@ -59,10 +56,6 @@ class KeyboardTest : public DrivenWindow {
       stops.push_back(focused());
     }
     return stops;
-  }
-  static bool shows(const std::string& text) {
-    return std::ranges::any_of(words_on_screen(),
-                               [&](const ScreenWords& words) { return words.text.find(text) != std::string::npos; });
   }
   // Until the focus is there.
   bool tab_to(ImGuiID wanted) {
@@ -189,6 +182,24 @@ TEST_F(KeyboardTest, TabGoesThroughBarsPanelsAndPlotsAndBack) {
   EXPECT_EQ(focused(), stops.front());
 }
 
+TEST_F(KeyboardTest, EnterDoesWhatAClickDoes) {
+  const auto enter = [&](const char* window, const char* id) {
+    ASSERT_TRUE(tab_to(ImGui::FindWindowByName(window)->GetID(id))) << id;
+    press(key::enter);
+  };
+  enter("panels", "Rendering");
+  EXPECT_TRUE(session().folded_panels.contains("Rendering"));
+  enter("panels", "Rendering");
+  EXPECT_FALSE(session().folded_panels.contains("Rendering"));
+  enter("strategies", "##compare");
+  press(key::down);
+  press(key::enter);
+  EXPECT_EQ(session().options.compare, Compare::side_by_side) << "chosen in a menu";
+  press(key::f3);
+  enter("plots", "Wall angle");
+  EXPECT_EQ(session().plots.tab, PlotTab::wall_angle);
+}
+
 TEST_F(KeyboardTest, TheStagesButtonsAndDialogsAreReachedToo) {
   session().face = Face::stage;
   frames(3);
@@ -258,8 +269,8 @@ TEST_F(KeyboardTest, AnAngleTurnsOnBeyondHalfATurnAndShowsARealMinus) {
   EXPECT_NEAR(angle, -179.0 * degree, 1e-9);
   press(key::right, shift);
   EXPECT_NEAR(angle, -178.9 * degree, 1e-9);
-  EXPECT_TRUE(shows("−178.9°"));
-  EXPECT_FALSE(shows("-178.9°"));
+  EXPECT_TRUE(says("−178.9°"));
+  EXPECT_FALSE(says("-178.9°"));
   press(key::left, ctrl);
   EXPECT_NEAR(std::abs(angle), 180.0 * degree, 1e-9);
 }
@@ -274,7 +285,7 @@ TEST_F(KeyboardTest, TheTimeInSightOfThePlotsIsChosenWithoutAMouse) {
   press(key::down);
   press(key::enter);
   EXPECT_NEAR(plots.span_s(), 10.0, 1e-9);
-  EXPECT_TRUE(shows("10 s"));
+  EXPECT_TRUE(says("10 s"));
 }
 
 TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
@@ -283,7 +294,7 @@ TEST_F(KeyboardTest, KeysScrollAnOpenDialog) {
   const Vector<2> goal = session().goal;
   press(key::f1);
   frames(3);
-  const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
+  const ImGuiWindow& help = *ImGui::FindWindowByName("###help");
   ASSERT_GT(help.ScrollMax.y, 0.0F);
   const auto expect_scrolled = [&](int key, float least, float most) {
     const float before = help.Scroll.y;
@@ -333,10 +344,7 @@ TEST_F(KeyboardTest, PagesScrollTheScenesThoughTheirFieldHasTheKeyboard) {
 }
 
 TEST_F(KeyboardTest, TheDialSaysWhomItActsOnWhileItIsTurned) {
-  const auto says_so = [] {
-    return std::ranges::any_of(words_on_screen(),
-                               [](const ScreenWords& words) { return words.text.starts_with("Only Anisotropic"); });
-  };
+  const auto says_so = [] { return says("Only Anisotropic"); };
   press(key::digit_2);
   EXPECT_FALSE(says_so());
   press(key::equal);

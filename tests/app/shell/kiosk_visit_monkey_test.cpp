@@ -8,7 +8,6 @@
 #include <variant>
 
 #include "app/state/key_bindings.h"
-#include "app/state/lesson_guide.h"
 #include "tests/app/shell/kiosk_visit_window.h"
 #include "tests/app/shell/monkey.h"
 #include "tests/support/places.h"

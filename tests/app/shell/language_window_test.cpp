@@ -1,6 +1,5 @@
 // The language in the window: chosen in the View panel or where lessons are chosen, it changes the stage, a lesson and what
 // is spoken at once.
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,46 +9,23 @@
 #include "app/state/lesson_guide.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/fake_speech_tool.h"
-#include "tests/support/screen_text.h"
 
 namespace ghostforce::language_window_test {
 namespace {
 
 class LanguageWindow : public DrivenWindow {
  protected:
-  static std::optional<ScreenWords> words_beginning(std::string_view text) {
-    for (const ScreenWords& words : words_on_screen()) {
-      if (words.text.starts_with(text)) return words;
-    }
-    return std::nullopt;
-  }
-  void click_on(std::string_view text) {
-    const auto words = words_beginning(text);
-    ASSERT_TRUE(words) << text << " is not on the screen";
-    const ImVec2 middle = words->ink.GetCenter();
-    click_at(static_cast<double>(middle.x), static_cast<double>(middle.y));
-    frames(2);
-  }
-  // All of the scene's words, in the order in which they are drawn.
-  std::string words_of_stage() const {
-    std::string all;
-    for (const Mark& mark : screen().panes().front().marks) {
-      if (const auto* const label = std::get_if<Label>(&mark.form)) all += label->text + " ";
-    }
-    return all;
-  }
-  bool stage_says(std::string_view words) const { return words_of_stage().find(words) != std::string::npos; }
   void choose_in_view_panel(std::string_view name) {
     if (session().face == Face::stage) press(key::f4);
     session().folded_panels.clear();
     frames(3);
     ImGuiWindow& column = *ImGui::FindWindowByName("panels");
-    for (float y = 0.0F; y <= column.ScrollMax.y + column.InnerRect.GetHeight() && !words_beginning(name);
+    for (float y = 0.0F; y <= column.ScrollMax.y + column.InnerRect.GetHeight() && !place_of(name);
          y += 0.5F * column.InnerRect.GetHeight()) {
       ImGui::SetScrollY(&column, y);
       frames(3);
     }
-    click_on(name);
+    click_on_words(name);
     press(key::f4);
     frames(30);
   }
@@ -58,20 +34,20 @@ class LanguageWindow : public DrivenWindow {
 TEST_F(LanguageWindow, TheViewPanelChangesTheStage) {
   open({.face = Face::stage});
   frames(30);
-  const std::string english = words_of_stage();
+  const std::string english = words_of_scene();
   EXPECT_NE(english.find("your hand pulls here"), std::string::npos) << english;
   choose_in_view_panel("Español");
   EXPECT_EQ(session().language, "es");
-  EXPECT_TRUE(stage_says("tu mano tira aquí")) << words_of_stage();
-  EXPECT_TRUE(stage_says("fantasma")) << words_of_stage();
-  EXPECT_FALSE(stage_says("ghost")) << words_of_stage();
+  EXPECT_TRUE(scene_says("tu mano tira aquí")) << words_of_scene();
+  EXPECT_TRUE(scene_says("fantasma")) << words_of_scene();
+  EXPECT_FALSE(scene_says("ghost")) << words_of_scene();
   EXPECT_TRUE(application_->stage_reading().sentence.starts_with("Una fuerza fantasma"));
   press(key::space);
   EXPECT_EQ(application_->stage_reading().sentence, spanish_stage.warnings.paused);
   press(key::space);
   choose_in_view_panel("English");
   EXPECT_EQ(session().language, "en");
-  EXPECT_EQ(words_of_stage(), english);
+  EXPECT_EQ(words_of_scene(), english);
 }
 
 // Also with answers given: they stay.
@@ -84,7 +60,7 @@ TEST_F(LanguageWindow, ALessonGoesOnInTheOtherLanguage) {
   const auto first_words = [&](std::string_view language) {
     return words_in(lesson, language).steps.front().text.substr(0, 12);
   };
-  ASSERT_TRUE(stage_says(first_words("en"))) << words_of_stage();
+  ASSERT_TRUE(scene_says(first_words("en"))) << words_of_scene();
   press(key::digit_1);
   frames(80);
   press(key::page_up);
@@ -92,20 +68,20 @@ TEST_F(LanguageWindow, ALessonGoesOnInTheOtherLanguage) {
   EXPECT_NE(answered.outcome, LessonOutcome::open);
   press(key::f5);
   frames(3);
-  EXPECT_TRUE(words_beginning("Lessons"));
-  click_on("Español");
-  EXPECT_TRUE(words_beginning("Lecciones"));
-  EXPECT_TRUE(words_beginning("Olvidar mi progreso")) << "the dialog speaks it too";
+  EXPECT_TRUE(place_of("Lessons"));
+  click_on_words("Español");
+  EXPECT_TRUE(place_of("Lecciones"));
+  EXPECT_TRUE(place_of("Olvidar mi progreso")) << "the dialog speaks it too";
   press(key::escape);
   frames(3);
   ASSERT_TRUE(session().lesson);
   EXPECT_EQ(lesson_step_state(*session().lesson), answered);
-  EXPECT_FALSE(stage_says("Next"));
-  EXPECT_TRUE(stage_says("Siguiente")) << words_of_stage();
-  EXPECT_TRUE(stage_says(words_in(lesson, "es").title)) << words_of_stage();
+  EXPECT_FALSE(scene_says("Next"));
+  EXPECT_TRUE(scene_says("Siguiente")) << words_of_scene();
+  EXPECT_TRUE(scene_says(words_in(lesson, "es").title)) << words_of_scene();
   press(key::page_down);
   frames(80);
-  EXPECT_TRUE(stage_says(words_in(lesson, "es").steps[1].text.substr(0, 12))) << words_of_stage();
+  EXPECT_TRUE(scene_says(words_in(lesson, "es").steps[1].text.substr(0, 12))) << words_of_scene();
 }
 
 TEST_F(LanguageWindow, ThePickersWordsHaveRoom) {

@@ -14,7 +14,6 @@
 #include "app/workbench/panel_catalog.h"
 #include "core/prediction.h"
 #include "tests/app/shell/experiments_window.h"
-#include "tests/support/screen_text.h"
 
 namespace ghostforce::measurement_window_test {
 namespace {
@@ -296,7 +295,7 @@ TEST_F(ExperimentsWindow, AFileShowsAndHidesWhatTheScreenDoes) {
     return roles_of(screen().panes_for_file(session(), application_->shown(), application_->history(),
                                             application_->reading(), measure_with(window_->fonts())));
   };
-  open_virtual_falcon("Measure the hand");
+  open_virtual_falcon(with_panel("Measure the hand"));
   EXPECT_GT(roles_in_file().count(Role::prediction), 0U);
   start_measuring(session());
   frames(40);  // words take a moment to find their place
@@ -317,7 +316,7 @@ TEST_F(ExperimentsWindow, NothingIsOfferedToBeRevealedOfARealHand) {
   const auto offers_to_reveal = [] {
     return std::ranges::any_of(words_on_screen(), [](const ScreenWords& words) { return words.text == "Reveal"; });
   };
-  open_virtual_falcon("Hand");
+  open_virtual_falcon(with_panel("Hand"));
   start_measuring(session());
   frames(3);
   EXPECT_TRUE(offers_to_reveal()) << "the hand at a virtual device is simulated";
@@ -331,7 +330,7 @@ TEST_F(ExperimentsWindow, NothingIsOfferedToBeRevealedOfARealHand) {
 
 // A real device's driver with a simulated arm and hand behind it: its goal is not known, so it has a target to aim at.
 TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
-  open_virtual_falcon("Measure the hand");
+  open_virtual_falcon(with_panel("Measure the hand"));
   lead_to({-0.015, 0.015});
   start_measuring(session());
   frames(40);  // words take a moment to find their place
@@ -340,8 +339,7 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
   EXPECT_EQ(count_marks(Role::target), 4) << "line, two rings and words";
   EXPECT_EQ(measurement().step, MeasuringStep::arm);
   ++session().arms_asked;
-  for (int i = 0; i < 60 && application_->report().motors.state != SafetyState::on; ++i) frames(1, 100);
-  ASSERT_EQ(application_->report().motors.state, SafetyState::on);
+  ASSERT_TRUE(frames_until(6.0, [&] { return application_->report().motors.state == SafetyState::on; }));
   frames(2);
   EXPECT_EQ(measurement().step, MeasuringStep::press);
   lead_to({0.012, -0.012});
@@ -373,15 +371,14 @@ TEST_F(ExperimentsWindow, AHandOnADeviceIsMeasuredAgainstATarget) {
 // Nobody knows the goal of a hand at a device. With a target to aim at there are numbers, of the strategy in the hand
 // alone, and they are those of the hand that is behind the device, not of the one that is believed to be there.
 TEST_F(ExperimentsWindow, AHandThatAimsAtATargetHasNumbersAgainstIt) {
-  open_virtual_falcon("Live values");
+  open_virtual_falcon(with_panel("Live values"));
   const auto numbers_known = [&](StrategyId id) {
     return is_known(quantity_catalog()[1], now(), id) && is_known(quantity_catalog()[2], now(), id);
   };
   session().settings.active = StrategyId::naive;
   lead_to({-0.015, 0.015});
   ++session().arms_asked;
-  for (int i = 0; i < 60 && application_->report().motors.state != SafetyState::on; ++i) frames(1, 100);
-  ASSERT_EQ(application_->report().motors.state, SafetyState::on);
+  ASSERT_TRUE(frames_until(6.0, [&] { return application_->report().motors.state == SafetyState::on; }));
   lead_to({0.008, -0.008});
   frames(5, ticks);
   ASSERT_EQ(now().measured, StrategyId::naive);

@@ -21,7 +21,6 @@
 #include <imgui_internal.h>
 
 #include "app/shell/gestures.h"
-#include "app/state/apply.h"
 #include "app/state/key_bindings.h"
 #include "app/state/scene_view.h"
 #include "core/scene.h"

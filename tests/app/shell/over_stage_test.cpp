@@ -1,10 +1,8 @@
 // What lies over the stage: dialogs as large as its letters, notices that cover none of its buttons, and the keys that
 // open and close them.
-#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <imgui_internal.h>
 
@@ -45,17 +43,20 @@ TEST_F(OverStage, DialogsAreOnALargeScreenAsOnASmallOneButLarger) {
   for (const Dialog dialog : dialogs) {
     open_stage(1280, 720);
     const ImVec2 small = box_of(dialog).GetSize();
+    const double small_letters = letters();
     open_stage(3840, 2160);
     const ImVec2 large = box_of(dialog).GetSize();
+    const auto grown = static_cast<float>(letters() / small_letters);
+    EXPECT_GE(grown, 3.0F);
     // Words are measured anew, and lines are broken by whole points.
-    EXPECT_NEAR(large.x, 3.0F * small.x, 0.03F * large.x) << static_cast<int>(dialog);
-    EXPECT_NEAR(large.y, 3.0F * small.y, 0.06F * large.y) << static_cast<int>(dialog);
+    EXPECT_NEAR(large.x, grown * small.x, 0.03F * large.x) << static_cast<int>(dialog);
+    EXPECT_NEAR(large.y, grown * small.y, 0.06F * large.y) << static_cast<int>(dialog);
   }
 }
 
 TEST_F(OverStage, TheWorkbenchStaysAsItIs) {
   open_stage(3840, 2160);
-  EXPECT_EQ(letters(), 3.0);
+  EXPECT_EQ(letters(), static_cast<double>(static_cast<float>(50.0 / 15.0)));
   act(SwitchFace{});
   frames(2);
   EXPECT_EQ(letters(), 1.0);
@@ -74,6 +75,40 @@ TEST_F(OverStage, APictureOfManyPixelsChangesNoLetters) {
     EXPECT_EQ(letters(), before) << i;
   }
   EXPECT_EQ(folder.count(), 1);
+}
+
+// A bar that cannot be moved only takes room away.
+TEST_F(OverStage, NoDialogHasAScrollBarWithNothingToScroll) {
+  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0)}) {
+    open_stage(static_cast<int>(size.x), static_cast<int>(size.y));
+    for (const Dialog dialog : dialogs) {
+      session().dialog = dialog;
+      frames(6);
+      for (const ImGuiWindow* const window : ImGui::GetCurrentContext()->Windows) {
+        if (!window->WasActive) continue;
+        constexpr float least = 3.0F;  // a person sees no less move
+        EXPECT_FALSE(window->ScrollbarY && window->ScrollMax.y < least) << size.x << ' ' << window->Name;
+        EXPECT_FALSE(window->ScrollbarX && window->ScrollMax.x < least) << size.x << ' ' << window->Name;
+      }
+      session().dialog = Dialog::none;
+      frames(2);
+    }
+  }
+}
+
+// What its steps speak of is to be seen.
+TEST_F(OverStage, TheDevicesStatusLeavesTheHandFree) {
+  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 800.0), Vector<2>(1920.0, 1080.0)}) {
+    for (const Vector<2>& goal : {Vector<2>(0.014, -0.014), Vector<2>(-0.03, -0.02)}) {
+      open_stage(static_cast<int>(size.x), static_cast<int>(size.y));
+      session().goal = goal;
+      frames(150);
+      session().dialog = Dialog::doctor;
+      frames(6);
+      const Vector<2> hand = to_screen(screen().stage().picture().pane.camera, session().goal);
+      EXPECT_FALSE(front_window().Rect().Contains(imgui_vector(hand))) << size.x << ' ' << hand.x;
+    }
+  }
 }
 
 TEST_F(OverStage, DialogsFitAndCanBeRead) {
@@ -213,9 +248,8 @@ TEST_F(OverStage, ToStopMotorsWhereThereAreNoneSaysSo) {
     press(key::enter);
     frames(3);
     EXPECT_EQ(session().dialog, Dialog::none);
-    ASSERT_TRUE(session().notice);
-    EXPECT_EQ(session().notice->words, language->refusals.no_motors);
-    EXPECT_FALSE(session().notice->is_problem);
+    EXPECT_EQ(notice(), language->refusals.no_motors);
+    EXPECT_FALSE(is_problem());
   }
   press(key::escape);
   ASSERT_FALSE(session().notice);

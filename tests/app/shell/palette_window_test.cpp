@@ -1,11 +1,9 @@
 // Ctrl+P in the window: typed, moved through, clicked and closed, on both faces.
 #include <array>
 #include <string>
-#include <string_view>
 
 #include "app/state/palette_catalog.h"
 #include "tests/app/shell/driven_window.h"
-#include "tests/support/screen_text.h"
 
 namespace ghostforce::palette_window_test {
 namespace {
@@ -21,11 +19,6 @@ class PaletteWindow : public DrivenWindow {
     open_palette();
     type(words);
     frames(2);
-  }
-  static bool says(std::string_view words) {
-    std::string all;
-    for (const ScreenWords& each : words_on_screen()) all.append(each.text).append(" ");
-    return all.find(words) != std::string::npos;
   }
 };
 

@@ -1,10 +1,8 @@
 // Every word of the workbench can be read: none is cut off, none lies on another, at any size of the window and the
 // letters, with all panels open, with plots, hints, dialogs and a device.
-#include <array>
 #include <utility>
 
 #include "app/state/user_measurement_guide.h"
-#include "app/workbench/panel_catalog.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/screen_text.h"
 

@@ -51,7 +51,8 @@ TEST_F(PreferencesTest, KnowsNothingAtFirstAndWritesNothingUnasked) {
 // kept, or it says why it is not.
 std::vector<std::function<void(Preferences&)>> changes_of_preferences() {
   Preferences usual;
-  [[maybe_unused]] const auto& [appearance, options, plots, spacemouse, face, speed, speaks, hints, language] = usual;
+  [[maybe_unused]] const auto& [appearance, motion, options, plots, spacemouse, face, speed, speaks, hints, language] =
+      usual;
   [[maybe_unused]] const auto& [theme, scale, arrow_scale] = appearance;
   [[maybe_unused]] const auto& [compare, ghost_forces, predictions, trails] = options;
   [[maybe_unused]] const auto& [is_open, tab, span_s] = plots;
@@ -61,6 +62,7 @@ std::vector<std::function<void(Preferences&)>> changes_of_preferences() {
       [](Preferences& kept) { kept.appearance.theme = find_theme("projector"); },
       [](Preferences& kept) { kept.appearance.scale = 1.25; },
       [](Preferences& kept) { kept.appearance.arrow_scale = 1.0 / 3.0; },
+      [](Preferences& kept) { kept.motion = ScreenMotion::reduced; },
       [](Preferences& kept) { kept.options.compare = Compare::active_only; },
       [](Preferences& kept) { kept.options.ghost_forces = false; },
       [](Preferences& kept) { kept.options.predictions = false; },
@@ -78,7 +80,7 @@ std::vector<std::function<void(Preferences&)>> changes_of_preferences() {
       [](Preferences& kept) { kept.language = "es"; },
   };
 }
-constexpr int parts_of_preferences = 18;  // counted in the lists above, without reach and speed
+constexpr int parts_of_preferences = 19;  // counted in the lists above, without reach and speed
 
 Preferences all_other() {
   Preferences preferences;
@@ -104,19 +106,19 @@ void name_the_parts_of_the_session(Session& session) {
       // A mode is for a moment; the workbench's view and the stage's follow the scene.
       stage,
       // A lesson is begun anew; progress in lessons has a file of its own.
-      lesson, lesson_progress,
+      lesson, lesson_progress, lesson_gone_through,
       // KEPT.
       language,
       // Nothing of a visit is kept.
       kiosk_visit,
       // As the stage.
       shown, pane_views, stage_shown,
-      // KEPT; of the plots, what they show is of the moment.
-      options, plots, appearance,
+      // KEPT; of the plots, what they show is of the moment. What begins with system_ is the system's.
+      options, plots, appearance, system_theme, motion, system_reduces_motion,
       // KEPT, in the window's layout.
       folded_panels,
       // Of the front, and of this moment.
-      offers_audience, has_audience,
+      has_room_for_workbench, offers_full_screen, offers_audience, has_audience,
       // Of the front.
       offers_speech,
       // KEPT.
@@ -199,6 +201,7 @@ TEST_F(PreferencesTest, VisitorsGetWhatWasChosenForTheMachine) {
   Preferences expected;
   expected.appearance.theme = chosen.appearance.theme;
   expected.appearance.scale = chosen.appearance.scale;
+  expected.motion = chosen.motion;
   expected.language = chosen.language;
   expected.offers_hints = false;
   EXPECT_EQ(visitors.preferences, expected);
@@ -231,13 +234,14 @@ TEST_F(PreferencesTest, TheLayoutIsReadBackAsItWasWritten) {
 
 TEST_F(PreferencesTest, WhatTheCommandLineAskedForHoldsForItsRunOnly) {
   const Preferences stored{.appearance = {.theme = find_theme("projector"), .scale = 1.5}, .language = "es"};
+  save(stored);
   Session session = session_of(load_scene("wall45"));
   apply(stored, session);
   session.appearance.theme = find_theme("dark");  // --theme dark
   session.face = Face::workbench;
   PreferenceKeeper keeper(stored, session);
   keeper.keep(session);
-  EXPECT_FALSE(std::filesystem::exists(preferences())) << "nothing was chosen";
+  EXPECT_EQ(load_preferences().preferences, stored) << "nothing was chosen";
   session.options.trails = false;
   keeper.keep(session);
   Preferences expected = stored;
@@ -249,6 +253,25 @@ TEST_F(PreferencesTest, WhatTheCommandLineAskedForHoldsForItsRunOnly) {
   expected.appearance.theme = find_theme("light");
   expected.offers_hints = false;
   EXPECT_EQ(load_preferences().preferences, expected);
+}
+
+TEST_F(PreferencesTest, TwoWindowsKeepWhatTheOtherHasChosen) {
+  Session first = session_of(load_scene("wall45"));
+  Session second = first;
+  PreferenceKeeper keeper_of_first({}, first);
+  PreferenceKeeper keeper_of_second({}, second);
+  first.appearance.theme = find_theme("dark");
+  keeper_of_first.keep(first);
+  second.speed = 0.5;
+  keeper_of_second.keep(second);
+  EXPECT_EQ(load_preferences().preferences, (Preferences{.appearance = {.theme = find_theme("dark")}, .speed = 0.5}));
+  // What the first has chosen goes on to be the first's; a reset is for both.
+  apply(Preferences{}, first);
+  ++first.preference_resets;
+  keeper_of_first.keep(first);
+  second.motion = ScreenMotion::reduced;
+  keeper_of_second.keep(second);
+  EXPECT_EQ(load_preferences().preferences, Preferences{.motion = ScreenMotion::reduced});
 }
 
 // It has the stage and the usual speed, whatever the person likes.

@@ -3,8 +3,6 @@
 #include "app/shell/receipt.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -18,7 +16,6 @@
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
 #include "app/picture/camera.h"
-#include "app/shell/receipt_sheet.h"
 #include "app/shell/receipt_writing.h"
 #include "app/state/set_up.h"
 #include "tests/app/shell/driven_window.h"
@@ -194,10 +191,7 @@ TEST(ReceiptPage, SaysWhereTheRestIsIfThereIsNoRoom) {
 
 class ReceiptWindow : public DrivenWindow {
  protected:
-  void open_with_receipts(ApplicationOptions options = {}) {
-    options.receipt_origin = ReceiptOrigin{.version = "1.2.3", .build = "some compiler", .libraries = "libraries"};
-    open(options);
-  }
+  void open_with_receipts() { open({.receipt_origin = origin}); }
   void record(const std::string& path) {
     act(StartRecording{path});
     frames(2);
@@ -206,9 +200,9 @@ class ReceiptWindow : public DrivenWindow {
     act(StopRecording{});
     frames(2);
   }
-  std::string notice() { return session().notice ? session().notice->words : ""; }
   Json receipt() const { return Json::parse(read_whole(folder_ / "run.receipt.json")); }
 
+  const ReceiptOrigin origin{.version = "1.2.3", .build = "some compiler", .libraries = "libraries"};
   TemporaryFolder folder_;
 };
 
@@ -221,7 +215,7 @@ TEST_F(ReceiptWindow, LiesBesideTheRecordingAndIsTheSameOnEveryRun) {
     frames(30);
     stop();
     EXPECT_NE(notice().find(".csv. Its receipt is beside it."), std::string::npos) << notice();
-    EXPECT_FALSE(session().notice->is_problem);
+    EXPECT_FALSE(is_problem());
     std::string json = read_whole(folder_ / name + ".receipt.json");
     json.replace(json.find(name + ".csv"), name.size() + 4, "FILE");
     seen.push_back(json);
@@ -250,7 +244,7 @@ TEST_F(ReceiptWindow, OverwritesNothingAndLosesNoRecording) {
     stop();
     EXPECT_NE(notice().find("Its receipt could not be written: "), std::string::npos) << notice();
     EXPECT_NE(notice().find(there), std::string::npos) << notice();
-    EXPECT_TRUE(session().notice->is_problem);
+    EXPECT_TRUE(is_problem());
     EXPECT_EQ(application_->recording_problem(), notice());
     EXPECT_EQ(read_whole(folder / there), "precious");
     EXPECT_GT(load_run(folder / "run.csv").ticks.size(), 100U);
@@ -259,25 +253,9 @@ TEST_F(ReceiptWindow, OverwritesNothingAndLosesNoRecording) {
 }
 
 TEST_F(ReceiptWindow, TellsTheDeviceThatPushed) {
-  ApplicationOptions options;
-  options.input = "virtual-falcon";
-  options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-  open_with_receipts(options);
-  const auto frames_until = [&](double seconds, const std::function<bool()>& is_so) {
-    for (double t = 0.0; t < seconds && !is_so(); t += 0.1) frames(1, 100);
-    return is_so();
-  };
-  const auto lead_to = [&](const Vector<2>& goal) {
-    const Vector<2> from = session().goal;
-    for (int i = 1; i <= 10; ++i) {
-      session().goal = glm::mix(from, goal, i / 10.0);
-      frames(1, 100);
-    }
-    frames(10, 100);
-  };
+  open_virtual_falcon({.receipt_origin = origin});
   const auto state = [&] { return application_->report().motors.state; };
   record(folder_ / "run.csv");
-  ASSERT_TRUE(frames_until(30.0, [&] { return virtual_falcon().report().state == FalconState::idle; }));
   lead_to({-0.015, 0.015});
   act(ArmMotors{});
   ASSERT_TRUE(frames_until(5.0, [&] { return state() == SafetyState::on; }));

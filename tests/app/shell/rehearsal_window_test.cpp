@@ -1,6 +1,5 @@
 // A whole rehearsal in the window: from nothing to motors that push and back, with the virtual Falcon behind the real
 // driver, led by the pointer. Its clock is moved by the servo's steps.
-#include <algorithm>
 
 #include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
@@ -23,27 +22,11 @@ class RehearsalWindow : public DrivenWindow {
 
   // Few frames and many ticks: drawing is what takes the time.
   static constexpr int ticks = 100;
-  static constexpr double tick_s = 0.001;
 
-  bool frames_until(double seconds, const std::function<bool()>& is_so) {
-    for (double t = 0.0; t < seconds; t += ticks * tick_s) {
-      frames(1, ticks);
-      if (is_so()) return true;
-    }
-    return false;
-  }
-  // A hand that is led there, not thrown.
-  void lead_slowly(const Vector<2>& from, const Vector<2>& to) {
-    for (int i = 1; i <= 10; ++i) {
-      session().goal = glm::mix(from, to, i / 10.0);
-      frames(1, ticks);
-    }
-    frames(10, ticks);
-  }
   void press_motor_button() { click_at(1240.0, 23.0); }
   void get_ready() {
     ASSERT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
-    lead_slowly(session().goal, outside);
+    lead_to(outside);
   }
   void turn_on() {
     get_ready();
@@ -63,7 +46,7 @@ TEST_F(RehearsalWindow, TakesEveryStepAndPushes) {
   EXPECT_EQ(session().dialog, Dialog::doctor) << "which says what is missing";
   session().dialog = Dialog::none;
   turn_on();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   EXPECT_TRUE(now().measured);
   EXPECT_GT(glm::length(motors().sent), 0.5);
   EXPECT_NE(virtual_falcon().link().motors(), MotorNumbers{});
@@ -95,10 +78,7 @@ TEST_F(RehearsalWindow, AFrameRoundTheSceneAndAFilledButtonSayThatMotorsMayPush)
   get_ready();
   EXPECT_FALSE(application_->input_link().is_opening());
   const auto has_problem_colour = [this](double x, double y) {
-    const Image shown = picture();
-    const std::size_t at =
-        3U * (static_cast<std::size_t>(y) * static_cast<std::size_t>(shown.width) + static_cast<std::size_t>(x));
-    return Colour{shown.rgb[at], shown.rgb[at + 1], shown.rgb[at + 2]} == session().appearance.theme->problem;
+    return pixel(picture(), static_cast<int>(x), static_cast<int>(y)) == session().appearance.theme->problem;
   };
   const auto shows_motors = [&](bool whether) {
     const Vector<2> end = in_window(screen().scene_size());
@@ -124,7 +104,7 @@ TEST_F(RehearsalWindow, AFrameRoundTheSceneAndAFilledButtonSayThatMotorsMayPush)
 
 TEST_F(RehearsalWindow, OneCanLookBackAndTheHandGoesOn) {
   turn_on();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   frames(5, ticks);
   press(key::comma);
   ASSERT_TRUE(session().stage.looks_back_to_s);
@@ -151,7 +131,7 @@ TEST_F(RehearsalWindow, EveryStepChangesThePicture) {
   const Image shown = picture();
   EXPECT_NE(shown.rgb, at_first.rgb);
   press(key::f2);
-  lead_slowly(session().goal, outside);
+  lead_to(outside);
   const Image ready = picture();
   press_motor_button();
   ASSERT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
@@ -255,7 +235,7 @@ TEST_F(RehearsalWindow, SleepWaitsForTheMotorsWhichStayOffUntilItIsOver) {
 
 TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
   turn_on();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   InjectedFault unplugged;
   unplugged.link = LinkFault::unplugged;
   virtual_falcon().inject(unplugged);
@@ -264,7 +244,7 @@ TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
   EXPECT_EQ(motors().reason, OffReason::unplugged);
   EXPECT_TRUE(frames_until(1.0, [&] { return state() == FalconState::fault; }));
   virtual_falcon().inject({});
-  lead_slowly(inside, outside);
+  lead_to(outside);
   EXPECT_TRUE(frames_until(30.0, [&] { return state() == FalconState::idle; }));
   frames(20, ticks);
   EXPECT_EQ(motors().state, SafetyState::off);
@@ -273,7 +253,7 @@ TEST_F(RehearsalWindow, PullingThePlugIsSaidAndPuttingItInDoesNotArm) {
 
 TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
   turn_on();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   ASSERT_GT(glm::length(motors().sent), 0.5);
   act(OpenScene{"fig1"});
   frames(5);
@@ -288,7 +268,7 @@ TEST_F(RehearsalWindow, AnotherSceneOrInputNeverTakesTheForceAlong) {
 // Whoever has F2 closed sees it too.
 TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
   turn_on();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   session().face = Face::stage;
   const auto sentence = [&] { return application_->stage_reading().sentence; };
   EXPECT_EQ(sentence().find("may still push"), std::string::npos) << sentence();
@@ -306,12 +286,12 @@ TEST_F(RehearsalWindow, SaysThatMotorsMayStillPushUntilTheDeviceHasAnswered) {
 
 TEST_F(RehearsalWindow, TheStageSaysWhatArmingWaitsFor) {
   get_ready();
-  lead_slowly(outside, inside);
+  lead_to(inside);
   session().face = Face::stage;
   act(ArmMotors{});
   EXPECT_TRUE(frames_until(1.0, [&] { return motors().obstacle == ArmingObstacle::inside_wall; }));
   EXPECT_EQ(application_->stage_reading().sentence, "Arming: move the handle out of the wall.");
-  lead_slowly(inside, outside);
+  lead_to(outside);
   EXPECT_TRUE(frames_until(3.0, [&] { return motors().state == SafetyState::on; }));
   EXPECT_EQ(application_->stage_reading().sentence.find("Arming"), std::string::npos);
 }

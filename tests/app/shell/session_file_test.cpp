@@ -53,6 +53,12 @@ Compare other(Compare /*usual*/) {
 const Theme* other(const Theme* /*usual*/) {
   return &theme_catalog().back();
 }
+ScreenMotion other(ScreenMotion /*usual*/) {
+  return ScreenMotion::reduced;
+}
+ScenePart other(ScenePart /*usual*/) {
+  return ScenePart::circle_edge;
+}
 PlotTab other(PlotTab /*usual*/) {
   return PlotTab::hand;
 }
@@ -123,7 +129,7 @@ TEST(SessionFile, EveryActionComesBackWithEveryField) {
     ++count;
   };
   std::apply([&](const auto&... kinds) { (expect_comes_back(kinds), ...); }, action_kinds);
-  EXPECT_EQ(count, std::variant_size_v<Action>);
+  EXPECT_EQ(count, std::variant_size_v<AnyAction>);
 }
 
 TEST(SessionFile, TheDocumentationNamesEveryAction) {

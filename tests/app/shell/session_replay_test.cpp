@@ -4,17 +4,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/picture/handles.h"
-#include "app/state/live_table.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
 #include "tests/app/shell/recorded_window.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
-#include "tests/support/screen_text.h"
 #include "tests/support/shrink.h"
 #include "tests/support/temporary_folder.h"
 
@@ -109,10 +105,6 @@ TEST_F(SessionReplayTest, ADragIsOneStepToTakeBack) {
 }
 
 TEST_F(SessionReplayTest, SaysHowFarItIsOnBothFaces) {
-  const auto says = [](std::string_view sought) {
-    return std::ranges::any_of(words_on_screen(),
-                               [&](const ScreenWords& words) { return words.text.find(sought) != std::string::npos; });
-  };
   ApplicationOptions options{.face = Face::stage};
   options.language = "es";
   open_recorded(path_, options);
@@ -264,14 +256,14 @@ TEST_F(SessionReplayTest, TheProgramReplaysItWithoutADisplay) {
   open_replayed(session_then);
   replay_whole();
   for (int i = 0; i < 2; ++i) {
-    const Outcome outcome = run_program(ghostforce_program(), {"replay-session", path_, "--headless"});
+    const Outcome outcome = run_ghostforce({"replay-session", path_, "--headless"});
     EXPECT_EQ(outcome.exit_code, 0);
     EXPECT_EQ(outcome.out, replay_->result());
     EXPECT_NE(outcome.err.find("2 of"), std::string::npos) << outcome.err;
   }
-  EXPECT_EQ(run_program(ghostforce_program(), {"replay-session", folder_ / "none", "--headless"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"replay-session", folder_ / "none", "--headless"}).exit_code, 2);
   write_whole(folder_ / "wrong", start_line(session_then.start) + "1 fly\n");
-  const Outcome wrong = run_program(ghostforce_program(), {"replay-session", folder_ / "wrong", "--headless"});
+  const Outcome wrong = run_ghostforce({"replay-session", folder_ / "wrong", "--headless"});
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_NE(wrong.err.find(":2:3: 'fly'"), std::string::npos) << wrong.err;
 }

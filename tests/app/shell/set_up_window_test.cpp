@@ -29,8 +29,6 @@ class SetUpWindow : public DrivenWindow {
     window_->set_clipboard_text(text);
     press(key::v, modifier::control);
   }
-  std::string notice() { return session().notice ? session().notice->words : ""; }
-  bool is_problem() { return session().notice && session().notice->is_problem; }
   ghostforce::SetUp seen() { return set_up_of(session(), application_->shown()); }
 };
 

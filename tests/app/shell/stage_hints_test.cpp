@@ -2,7 +2,6 @@
 #include <array>
 #include <string>
 #include <string_view>
-#include <variant>
 
 #include <glad/gl.h>
 
@@ -26,18 +25,10 @@ class StageHintsTest : public DrivenWindow {
     glEnable(GL_RASTERIZER_DISCARD);  // the marks are looked at, and no pixel
     frames(3);
   }
-  // Words may be broken into lines.
-  bool says(std::string_view words) const {
-    std::string all;
-    for (const Mark& mark : screen().panes().front().marks) {
-      if (const auto* const label = std::get_if<Label>(&mark.form)) all += label->text + ' ';
-    }
-    return all.find(words) != std::string::npos;
-  }
   // The only one of the three.
   void expect_only(std::string_view words) {
     for (const std::string_view each : std::array{drag_words, cure_words, motor_words}) {
-      EXPECT_EQ(says(each), each == words) << each;
+      EXPECT_EQ(scene_says(each), each == words) << each;
     }
   }
   // The hand, to a place in the world.
@@ -100,7 +91,7 @@ TEST_F(StageHintsTest, TheCureIsPassedOverWhereThereIsNothingToCure) {
     session().hint = 1;
     frames(3);
     EXPECT_EQ(session().hint, 2U) << angle;
-    EXPECT_FALSE(says(cure_words)) << angle;
+    EXPECT_FALSE(scene_says(cure_words)) << angle;
   }
 }
 
@@ -117,7 +108,7 @@ TEST_F(StageHintsTest, TwoMotorsHaveNoEndsToTurn) {
 TEST_F(StageHintsTest, NobodyIsAskedToDragWhatAScriptMoves) {
   begin("script");
   EXPECT_EQ(session().hint, 1U);
-  EXPECT_FALSE(says(drag_words));
+  EXPECT_FALSE(scene_says(drag_words));
 }
 
 TEST_F(StageHintsTest, AModeHasWordsOfItsOwn) {

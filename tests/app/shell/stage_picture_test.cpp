@@ -1,7 +1,6 @@
 // The stage as users have it in files, by the program's own `render`: pixels, vectors and JSON, with its words in them.
 #include <cmath>
 #include <cstddef>
-#include <filesystem>
 #include <set>
 #include <string>
 #include <string_view>
@@ -14,7 +13,6 @@
 #include "app/state/faces_and_modes.h"
 #include "core/strategy.h"
 #include "tests/support/no_opengl.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -24,7 +22,7 @@ namespace {
 
 Outcome render_stage(std::vector<std::string> words) {
   words.insert(words.begin(), {"render", "wall45", "--view", "stage"});
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 nlohmann::json described(std::vector<std::string> words) {
@@ -113,7 +111,7 @@ TEST(StagePicture, DoesNotFollowTheEnvironmentsLanguage) {
     ProgramCall call;
     call.words = {"render", "wall45", "--view", "stage", "-o", folder / language};
     call.environment = {fmt::format("LC_ALL={}", language)};
-    ASSERT_EQ(run_program(ghostforce_program(), call).exit_code, 0);
+    ASSERT_EQ(run_ghostforce(call).exit_code, 0);
   }
   EXPECT_TRUE(read_whole(folder / "C") == read_whole(folder / "es_ES.UTF-8"));
 }
@@ -125,7 +123,7 @@ TEST(StagePicture, IsWordsAndLinesInSvgAndPdfWithoutOpenGl) {
     ProgramCall call;
     call.words = {"render", "wall45", "--view", "stage", "--size", "1280x720", "-o", folder / name};
     call.environment = {no_opengl.variable(), "DISPLAY=", "WAYLAND_DISPLAY="};
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   }
   const std::string svg = read_whole(folder / "a.svg");
@@ -176,7 +174,7 @@ TEST(StagePicture, HasAShortNameForTheLandscape) {
   for (const std::vector<std::string>& view : std::vector<std::vector<std::string>>{{}, {"--view", "stage"}}) {
     std::vector<std::string> words{"render", "wall45", "--landscape", "-o", folder / "landscape.svg"};
     words.insert(words.end(), view.begin(), view.end());
-    ASSERT_EQ(run_program(ghostforce_program(), words).exit_code, 0);
+    ASSERT_EQ(run_ghostforce(words).exit_code, 0);
     EXPECT_TRUE(read_whole(folder / "landscape.svg") == read_whole(folder / "mode.svg"));
   }
 }
@@ -185,7 +183,7 @@ TEST(StagePicture, IsNotTheWorkbenchNorAllStrategiesAtOnce) {
   const TemporaryFolder folder;
   const auto expect_refused = [&](std::vector<std::string> words, std::string_view said) {
     words.insert(words.begin(), {"render", "wall45", "-o", folder / "a.png"});
-    const Outcome outcome = run_program(ghostforce_program(), words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 2) << said;
     EXPECT_NE(outcome.err.find(said), std::string::npos) << outcome.err;
   };
@@ -201,9 +199,7 @@ TEST(StagePicture, IsNotTheWorkbenchNorAllStrategiesAtOnce) {
 
 TEST(StagePicture, IsOnlyThereWhereItIsAskedFor) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_program(ghostforce_program(), {"render", "wall45", "-o", folder / "a.svg", "--json", folder / "a.json"})
-                .exit_code,
-            0);
+  ASSERT_EQ(run_ghostforce({"render", "wall45", "-o", folder / "a.svg", "--json", folder / "a.json"}).exit_code, 0);
   const auto picture = nlohmann::json::parse(read_whole(folder / "a.json"));
   EXPECT_FALSE(picture.contains("view"));
   EXPECT_EQ(picture["compare"], "active-only");

@@ -1,8 +1,6 @@
 // The view of the stage in the window: it stands still while something is dragged, and afterwards moves once if the
 // numbers or the buttons would cover anything. What a person has moved by hand stays.
-#include <numbers>
 #include <string>
-#include <vector>
 
 #include <glad/gl.h>
 
@@ -79,6 +77,70 @@ TEST_F(StageViewWindow, FollowsARailOrAWallThatIsTurned) {
     drag_slowly(grip, pivot + way);
     expect_nothing_is_covered(fmt::format("wall at {}°", degrees));
   }
+}
+
+// All that a motor does to the handle on the way there is seen, and then its rail goes through where it is held.
+TEST_F(StageViewWindow, TheRailComesToThePointerAndStandsStillWithIt) {
+  for (const int strategy : {key::digit_2, key::digit_3}) {
+    begin(1280, 800);
+    press(strategy);
+    frames(60);
+    for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+      ASSERT_TRUE(picture().motor_grips);
+      const Vector<2> beside(3.0, -4.0);
+      press_at((*picture().motor_grips)[end] + beside);
+      hold_control(true);
+      for (const Vector<2>& place : {Vector<2>(1100.0, 250.0), Vector<2>(640.0, 180.0), Vector<2>(980.0, 600.0),
+                                     Vector<2>(420.0, 640.0), Vector<2>(300.0, 480.0), Vector<2>(1150.0, 500.0)}) {
+        point_at(place);
+        frames(2);
+        const double angle = session().settings.actuated_angle;
+        frames(200);
+        EXPECT_EQ(session().settings.actuated_angle, angle) << "the pointer stands still";
+        const std::array<Vector<2>, 2> ends = *picture().motor_grips;
+        const Vector<2> along = glm::normalize(ends[1] - ends[0]);
+        const Vector<2> to_pointer = place - ends[0];
+        const double apart = std::abs(along.x * to_pointer.y - along.y * to_pointer.x);
+        EXPECT_LE(apart, glm::length(beside) + 1.0) << strategy << ", end " << end << ", " << place.x << " " << place.y;
+        EXPECT_LT(glm::distance(ends[end], place), 10.0) << "the end that is held comes to the pointer";
+      }
+      hold_control(false);
+      release();
+      frames(120);
+    }
+  }
+}
+
+TEST_F(StageViewWindow, AHandGoesWhereThePointerGoes) {
+  for (const Vector<2>& place : {Vector<2>(640.0, 760.0), Vector<2>(1000.0, 45.0)}) {
+    begin(1280, 800);
+    press_at(on_window(session().goal));
+    point_at(place);
+    frames(5);
+    EXPECT_LT(glm::distance(on_window(session().goal), place), 1.0);
+    release();
+    frames(150);
+    expect_nothing_is_covered("below a row of buttons");
+  }
+}
+
+TEST_F(StageViewWindow, IsAsBeforeOnceTheLastMinuteIsClosed) {
+  session().goal = {0.06, 0.05};
+  frames(60);
+  const double elsewhere_s = now().time_s;
+  session().goal = wall45_goal;
+  frames(200);
+  press(key::f);
+  frames(120);
+  const SceneView before = session().stage_shown;
+  press(key::h);
+  session().stage.looks_back_to_s = elsewhere_s;
+  frames(120);
+  EXPECT_NE(session().stage_shown, before) << "the hand was elsewhere";
+  press(key::escape);
+  frames(120);
+  EXPECT_EQ(session().stage.mode, StageMode::none);
+  EXPECT_EQ(session().stage_shown, before);
 }
 
 TEST_F(StageViewWindow, StaysWhereAPersonHasMovedIt) {

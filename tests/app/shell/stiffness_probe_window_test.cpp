@@ -1,9 +1,6 @@
 // Measuring the hand on the stage, in the whole program: the simulated hand's stiffness is known, and is found.
-#include <algorithm>
-#include <cmath>
 #include <string>
 
-#include "app/state/apply.h"
 #include "app/state/stiffness_probe_guide.h"
 #include "tests/app/shell/driven_window.h"
 

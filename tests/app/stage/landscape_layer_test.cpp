@@ -14,6 +14,7 @@
 
 #include "app/files/scene_file.h"
 #include "app/paint/vector/vector_painter.h"
+#include "app/picture/share_colour.h"
 #include "app/stage/landscape_map.h"
 #include "core/conventions.h"
 #include "tests/app/stage/random_settings.h"
@@ -289,6 +290,19 @@ TEST(LandscapeLayer, ContoursAsTheyAreDrawnHaveFewPiecesAndKeepToTheirLevel) {
   }
   EXPECT_GT(pieces, 40U);
   EXPECT_LT(pieces, 400U);
+}
+
+// There all levels lie side by side, and would be a thick bar.
+TEST(LandscapeLayer, NoContourRunsAlongTheFrame) {
+  for (const double kappa : {1.0, 3.0, 100.0}) {
+    Settings settings = wall45();
+    settings.stiffnesses.k_r = kappa * settings.stiffnesses.k_u;
+    const Picture picture(settings);
+    const double frame = picture.layout.map.most.x;
+    for (const DrawnContour& contour : drawn_contours(landscape_of(settings, 0.0), picture.layout)) {
+      for (const Vector<2>& corner : contour.corners) EXPECT_GE(frame - corner.x, 0.2 * picture.layout.em);
+    }
+  }
 }
 
 // ---- That nothing breaks it -------------------------------------------------------------------------------------------

@@ -271,5 +271,17 @@ TEST(Ribbon, TheHeightItAsksForHasRoomForAll) {
   EXPECT_TRUE(drawn.says("60 s ago"));
 }
 
+// A reset, round and round and another scene leave nothing of what was before.
+TEST(Ribbon, SaysWhereTheMotionBegan) {
+  const StageLanguage::Ribbon& words = english_stage.ribbon;
+  const auto force = [](double) { return 1.0; };
+  EXPECT_TRUE(draw(history_of(5.0, force)).says(words.begins));
+  EXPECT_TRUE(draw(history_of(45.0, force)).says(words.begins_shortly)) << "where there is less room";
+  for (const double seconds : {59.9, 61.0, 100.0}) {
+    const Drawn drawn = draw(history_of(seconds, force));
+    EXPECT_FALSE(drawn.says(words.begins) || drawn.says(words.begins_shortly)) << seconds;
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce::ribbon_layer_test

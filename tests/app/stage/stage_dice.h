@@ -32,12 +32,15 @@ struct StageCase {
   Vector<2> size{1280.0, 720.0};
   double scale = 1.0;
   std::string_view theme = "light";
+  const Theme* own_theme = nullptr;  // in place of that one
   StageMode mode = StageMode::none;
   StageAudience audience{};
   std::optional<StageHint> hint{};
+  bool is_dragging = false;
   std::optional<StageAction> hovered{};
   bool may_turn_motor = false;
   bool may_turn_wall = false;
+  bool may_move_parts = false;
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};
@@ -51,6 +54,7 @@ struct StageCase {
   std::string_view warning{};
   bool is_bare = false;
   bool shows_menu = false;
+  StageKeys keys{.lessons = "F5", .help = "F1"};
 
   template <typename Use>
   auto with_content(Use&& use) const {
@@ -58,8 +62,8 @@ struct StageCase {
     return use(StageContent{.settings = settings,
                             .moment = moment,
                             .language = *language,
-                            .keys = {.lessons = "F5", .help = "F1"},
-                            .theme = *find_theme(theme),
+                            .keys = keys,
+                            .theme = own_theme != nullptr ? *own_theme : *find_theme(theme),
                             .measure = measure,
                             .shown = shown,
                             .reference_force = reference_force,
@@ -68,9 +72,11 @@ struct StageCase {
                             .mode = mode,
                             .audience = audience,
                             .hint = hint,
+                            .is_dragging = is_dragging,
                             .hovered = hovered,
                             .may_turn_motor = may_turn_motor,
                             .may_turn_wall = may_turn_wall,
+                            .may_move_parts = may_move_parts,
                             .guess = guess,
                             .why_step = why_step,
                             .round = round,

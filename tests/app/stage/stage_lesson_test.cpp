@@ -2,6 +2,7 @@
 // question asks for is not to be seen.
 #include <gtest/gtest.h>
 
+#include <optional>
 #include <set>
 #include <string>
 #include <variant>
@@ -55,10 +56,28 @@ TEST_P(StageInLesson, HasRoomForAllOfALesson) {
     const ScreenBox window{Vector<2>(0.0), shown.size};
     for (const StageButton& button : drawn.picture.buttons) {
       EXPECT_TRUE(lies_in(button.box, window)) << i << " " << words_for(shown);
-      EXPECT_GE(std::min(button.box.extent().x, button.box.extent().y), 40.0 * drawn.picture.unit);
+      EXPECT_GE(std::min(button.box.extent().x, button.box.extent().y), 40.0 * drawn.picture.unit - rounding);
     }
     if (drawn.picture.ribbon) continue;  // it takes a share of its own
     EXPECT_GE(drawn.picture.scene.extent().y, 0.3 * shown.size.y) << i << " " << words_for(shown);
+  }
+}
+
+TEST_P(StageInLesson, HasFitAndReset) {
+  PictureDice dice(5);
+  for (int i = 0; i < cases / 2; ++i) {
+    StageCase shown = lesson_case_by(dice, *GetParam());
+    const auto has = [&](StageCommand command) {
+      return std::ranges::count(Drawn(shown.compose()).picture.buttons, StageAction(command), &StageButton::action) ==
+             1;
+    };
+    const bool has_view = shown.mode != StageMode::landscape && shown.mode != StageMode::round;
+    for (const StageCommand command : {StageCommand::fit, StageCommand::reset}) {
+      shown.lesson->has_way_out = true;
+      EXPECT_EQ(has(command), has_view) << i << " " << words_for(shown);
+      shown.lesson->has_way_out = false;
+      EXPECT_FALSE(has(command)) << "of a visitor: " << i << " " << words_for(shown);
+    }
   }
 }
 
@@ -171,6 +190,42 @@ TEST(LessonCards, DifferFromOneAnother) {
   for (std::size_t i = 0; i < shipped_lessons().size(); ++i) {
     const Pane card = lesson_card(i, *find_theme("light"), {150.0, 92.0}, 0.5);
     EXPECT_TRUE(seen.insert(things_of(card)).second) << shipped_lessons()[i]->name;
+  }
+}
+
+// What lies on top in each field of a grid, as somebody sees it from afar; a role's number, or -1.
+std::vector<int> seen_in(const Pane& card) {
+  constexpr double field = 5.0;  // [points]
+  const PictureExtents extents(card, measure);
+  std::vector<int> seen;
+  for (double y = 0.0; y < card.camera.size.y; y += field) {
+    for (double x = 0.0; x < card.camera.size.x; x += field) {
+      const Vector<2> middle = Vector<2>(x, y) + Vector<2>(0.5 * field);
+      int top = -1;
+      for (const Extent& extent : extents.marks) {
+        if (reach_into(ScreenBox{middle, middle}.grown(0.3 * field), extent) <= 0.0) continue;
+        const std::optional<StrategyId> strategy = card.marks[extent.mark].strategy;
+        top = 4 * static_cast<int>(extent.role) + (strategy ? static_cast<int>(index_of(*strategy)) : 3);
+      }
+      seen.push_back(top);
+    }
+  }
+  return seen;
+}
+
+// Also for who does not look closely.
+TEST(LessonCards, LookDifferentFromAfar) {
+  std::vector<std::vector<int>> all;
+  for (std::size_t i = 0; i < shipped_lessons().size(); ++i) {
+    all.push_back(seen_in(lesson_card(i, *find_theme("light"), {150.0, 92.0}, 0.5)));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      int differing = 0;
+      for (std::size_t field = 0; field < all[i].size(); ++field) differing += all[i][field] != all[k][field] ? 1 : 0;
+      EXPECT_GE(differing, static_cast<int>(all[i].size() / 8))
+          << shipped_lessons()[k]->name << " and " << shipped_lessons()[i]->name;
+    }
   }
 }
 

@@ -154,6 +154,37 @@ TEST_P(Stage, CoversNothingOfAViewThatFits) {
   }
 }
 
+// Of the button that is there, as it is drawn.
+Colour fill_of(const StagePicture& picture, const StageButton& button) {
+  const Vector<2> corner = to_world(picture.pane.camera, button.box.least);
+  for (const Mark& mark : picture.pane.marks) {
+    const auto* const box = std::get_if<Box>(&mark.form);
+    if (box != nullptr && mark.role == Role::button && glm::distance(box->corner, corner) < 1e-9) return box->fill;
+  }
+  ADD_FAILURE() << "there is no button " << button.words;
+  return {};
+}
+
+TEST_P(Stage, ShowsWhatIsDraggedThroughButtonsButForTheOneThatStopsMotors) {
+  for (const bool is_alarming : {false, true}) {
+    StageCase shown = case_at(wall45(), wall45_goal);
+    shown.corner = StageCornerButton{StageCommand::motors, "MOTORS", is_alarming};
+    const StageAction motors{StageCommand::motors};
+    const auto corner_in = [&motors](const StagePicture& picture) {
+      return *std::ranges::find(picture.buttons, motors, &StageButton::action);
+    };
+    const StagePicture before = shown.compose();
+    const ScreenBox box = corner_in(before).box;
+    // The hand is dragged to below it.
+    shown.shown.center += shown.moment.goal - to_world(before.pane.camera, 0.5 * (box.least + box.most));
+    const StagePicture at_rest = shown.compose();
+    shown.is_dragging = true;
+    const StagePicture dragged = shown.compose();
+    EXPECT_EQ(fill_of(at_rest, corner_in(at_rest)).alpha, 255);
+    EXPECT_EQ(fill_of(dragged, corner_in(dragged)).alpha == 255, is_alarming);
+  }
+}
+
 // --- What is usual loses no words --------------------------------------------------------------------------------------
 
 std::vector<std::string> usual_words(StrategyId active, const StageLanguage::Labels& labels) {

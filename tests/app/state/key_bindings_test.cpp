@@ -7,16 +7,12 @@
 
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <numbers>
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
-#include "app/picture/handles.h"
 #include "app/state/apply.h"
-#include "app/state/lesson_guide.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"
@@ -106,13 +102,6 @@ TEST_F(KeysTest, EachKeyChangesThePicture) {
       EXPECT_NE(before, picture()) << binding.shown << ' ' << binding.sentence << ' ' << binding.key;
     }
   }
-}
-
-TEST_F(KeysTest, AChordIsAChordHoweverQuicklyItIsLetGoOf) {
-  session().settings.stiffnesses.k_r = 900.0;
-  frames(2);
-  press(key::r, modifier::alt);
-  EXPECT_EQ(session().settings, load_scene("wall45").settings);
 }
 
 TEST_F(KeysTest, HoldingAKeyRepeatsWhatMayBeRepeated) {
@@ -263,9 +252,30 @@ TEST_F(KeysTest, TheHelpHasRoomForItsLongestLine) {
   for (const auto& [width, height] : {std::pair{1024, 640}, std::pair{1280, 800}}) {
     open({}, "wall45", width, height);
     press(key::f1);
-    const ImGuiWindow& help = *ImGui::FindWindowByName("Help");
+    const ImGuiWindow& help = *ImGui::FindWindowByName("###help");
     EXPECT_LE(help.ContentSizeIdeal.x, help.InnerRect.GetWidth() - 2.0F * help.WindowPadding.x + 0.5F) << width;
     EXPECT_EQ(help.ScrollMax.y, 0.0F);
+  }
+}
+
+// As the lessons and the palette do.
+TEST_F(KeysTest, TheHelpSpeaksTheLanguageOfTheStage) {
+  session().language = "es";
+  press(key::f1);
+  frames(2);
+  for (const std::string_view words : {"Mover y cambiar", "Flechas", "Girar el motor 5° (Mayús: 1°)", "Rueda"}) {
+    EXPECT_TRUE(says(words)) << words;
+  }
+  for (const std::string_view words : {"Turn the motor 5°", "Wheel, right drag"}) EXPECT_FALSE(says(words)) << words;
+}
+
+TEST_F(KeysTest, DialogsHaveButtonsForFingersOnAPhone) {
+  for (const auto& [width, height] : {std::pair{390, 844}, std::pair{844, 390}}) {
+    open({}, "wall45", width, height);
+    act(OpenDialog{Dialog::lessons});
+    frames(4);
+    // Its own height is a button's.
+    EXPECT_GE(ImGui::FindWindowByName("###lessons")->TitleBarHeight, 44.0F) << width;
   }
 }
 
@@ -315,17 +325,6 @@ TEST_F(KeysTest, ScaleGoesFrom75To300Percent) {
   EXPECT_EQ(session().appearance.scale, 0.75);
   press(key::digit_0, modifier::control);
   EXPECT_EQ(session().appearance.scale, 1.0);
-}
-
-TEST_F(KeysTest, LettersTypedIntoAFieldAreLetters) {
-  press(key::o, modifier::control);
-  frames(2);
-  ASSERT_TRUE(ImGui::GetIO().WantTextInput);
-  press(key::digit_3);
-  press(key::left_bracket);
-  EXPECT_EQ(session().settings, load_scene("wall45").settings);
-  press(key::escape);
-  EXPECT_EQ(session().dialog, Dialog::none);
 }
 
 }  // namespace

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <numeric>
-
 #include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
 #include "tests/app/state/lesson_text.h"
@@ -247,7 +245,8 @@ TEST(LessonFile, TellsWhatAnEmptyLessonLacks) {
 
 TEST(LessonFile, KnowsASceneWhenItSeesOne) {
   EXPECT_EQ(words_about(scene_text(load_scene("wall45"))),
-            "ghost.toml:1:1: this is a scene, not a lesson; open it with ghostforce run");
+            "ghost.toml:1:1: this is a scene, not a lesson; ghostforce equilibrium tells whether it is right, and "
+            "ghostforce run opens it");
 }
 
 TEST(LessonFile, IsFoundByNameOrByPath) {

@@ -9,6 +9,8 @@
 #include "app/state/apply.h"
 #include "app/state/key_bindings.h"
 #include "app/state/keys.h"
+#include "app/state/lesson_file.h"
+#include "app/state/permit.h"
 
 namespace ghostforce::lesson_guide_test {
 namespace {
@@ -87,6 +89,20 @@ class LessonGuideTest : public testing::Test {
   Session session = session_of(load_scene("wall45"));
   Session before = session;
 };
+
+TEST_F(LessonGuideTest, BeginsAStepAnew) {
+  go_to(1);
+  answer_in_lesson(session, 0);
+  session.goal = deep;
+  session.fits_view = false;
+  const auto restarts = session.restarts_asked;
+  press_key(session, {.key = key::r});
+  EXPECT_EQ(session.goal, inside) << "as it was last stated, at once";
+  EXPECT_EQ(session.restarts_asked, restarts + 1);
+  EXPECT_TRUE(session.fits_view);
+  EXPECT_EQ(lesson_step_state(*session.lesson).chosen, 0U) << "what was answered stays so";
+  ASSERT_TRUE(permit(session, Restart{.with_scene_settings = true})) << "the settings are the lesson's";
+}
 
 TEST_F(LessonGuideTest, WhatTakesItsPlaceFindsFaceAndSpeedAsTheyWere) {
   leave_lesson(session);
@@ -258,7 +274,8 @@ TEST_F(LessonGuideTest, DoesNotDoWhatAStepDoesNotAllow) {
     EXPECT_EQ(pressed.stage.mode, session.stage.mode) << binding.sentence;
     EXPECT_EQ(pressed.face, session.face) << binding.sentence;
     EXPECT_EQ(pressed.paused, session.paused) << binding.sentence;
-    EXPECT_EQ(pressed.restarts_asked, session.restarts_asked) << binding.sentence;
+    const bool begins_anew = binding.key == key::r && binding.modifiers == 0;  // the step
+    EXPECT_EQ(pressed.restarts_asked, session.restarts_asked + (begins_anew ? 1 : 0)) << binding.sentence;
     EXPECT_EQ(pressed.lesson->step, session.lesson->step) << binding.sentence;
   }
 }
@@ -313,6 +330,25 @@ TEST_F(LessonGuideTest, RemembersWhatWasDone) {
   leave_lesson(session);
   EXPECT_EQ(session.lesson_progress.lessons.at("test").right, std::set<std::string>{"step 1"});
   EXPECT_TRUE(session.lesson_progress.lessons.at("test").is_finished);
+}
+
+TEST_F(LessonGuideTest, OneLessonLeadsOnToTheNextThatIsNotDone) {
+  const auto& all = shipped_lessons();
+  const auto go_through = [&](std::size_t number) {
+    begin_lesson(session, all[number]);
+    while (session.lesson) next_lesson_step(session);
+  };
+  leave_lesson(session);
+  EXPECT_EQ(lesson_to_go_on_with(session), 0U);
+  go_through(2);
+  EXPECT_EQ(lesson_to_go_on_with(session), 3U) << "not the first again";
+  go_through(3);
+  go_through(1);
+  EXPECT_EQ(lesson_to_go_on_with(session), 4U) << "2 and 3 are done";
+  go_through(all.size() - 1);
+  EXPECT_EQ(lesson_to_go_on_with(session), 0U);
+  for (std::size_t i = 0; i < all.size(); ++i) go_through(i);
+  EXPECT_EQ(lesson_to_go_on_with(session), 0U) << "all are done, and it begins again";
 }
 
 }  // namespace

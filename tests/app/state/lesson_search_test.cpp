@@ -6,6 +6,7 @@
 #include "app/files/scene_keys.h"
 #include "app/state/lesson_quantities.h"
 #include "app/state/set_up.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce::lesson_search_test {
 namespace {
@@ -54,6 +55,19 @@ TEST(LessonSearch, FindsWhatOneControlCanDo) {
   const TaskFinding cured = examine_task(by_strategy, wall45());
   ASSERT_TRUE(cured.solution);
   EXPECT_EQ(cured.solution->scene.settings.active, StrategyId::anisotropic);
+}
+
+TEST(LessonSearch, PutsTheMotorAtTheOtherJoint) {
+  const auto start = read_set_up_line("ghostforce run arm --set wall.normal_deg=45 --goal-mm=-14,-14");
+  const LessonStep by_joint =
+      task({LessonControl::motor}, {no_ghost, {.quantity = LessonQuantity::force, .least = 2.0}});
+  const TaskFinding found = examine_task(by_joint, start);
+  EXPECT_FALSE(found.is_met_at_start);
+  ASSERT_TRUE(found.solution);
+  expect_done(by_joint, *found.solution);
+  EXPECT_EQ(found.solution->scene.settings, with_other_motor(start.scene.settings)) << "nothing else was touched";
+  EXPECT_NE(set_up_line(*found.solution).find("--set device.motor=elbow"), std::string::npos);
+  EXPECT_FALSE(examine_task(task({}, by_joint.conditions), start).solution);
 }
 
 TEST(LessonSearch, FindsANarrowPlaceOnASlider) {

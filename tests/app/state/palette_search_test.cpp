@@ -18,7 +18,7 @@ namespace {
 using Numbers = std::vector<std::size_t>;
 
 PaletteEntry named(std::string words, std::string_view also = {}, std::string refusal = {}) {
-  return {std::move(words), also, {}, Quit{}, std::move(refusal)};
+  return {std::move(words), also, {}, Quit{}, std::move(refusal), {}};
 }
 
 TEST(PaletteSearch, FoldsLettersAndAccents) {

@@ -1,6 +1,5 @@
 #include "app/state/set_up.h"
 
-#include <limits>
 #include <set>
 #include <string>
 #include <string_view>
@@ -10,6 +9,7 @@
 
 #include "app/files/read_error.h"
 #include "app/files/scene_file.h"
+#include "tests/support/paper_scenes.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
 
@@ -52,7 +52,7 @@ TEST(SetUpLine, RestoresAThousandRandomSetUpsBitForBit) {
     ASSERT_EQ(set_up_line(again), line) << "the same set-up, the same line";
     bases.insert(line.substr(0, line.find(' ', "ghostforce run "s.size())));
   }
-  EXPECT_EQ(bases.size(), shipped_scene_names().size()) << "each shipped scene is the nearest one at times";
+  EXPECT_EQ(bases.size(), paper_scene_names().size()) << "each shipped scene is the nearest one at times";
 }
 
 TEST(SetUpLine, SaysOnlyWhatDiffersFromTheNearestScene) {
@@ -73,6 +73,22 @@ TEST(SetUpLine, SaysOnlyWhatDiffersFromTheNearestScene) {
             " --set rendering.tracking_ratio=2.0 --set goal.motion=minimum-jerk --view stage");
   EXPECT_EQ(set_up_line(shipped("wall45", {"goal.path_mm=[[1, 2]]", "goal.times_s=[0]"})),
             "ghostforce run wall45 --set 'goal.path_mm=[[1.0, 2.0]]' --set 'goal.times_s=[0.0]' --view stage");
+}
+
+TEST(SetUpLine, TellsGeneralScenes) {
+  const auto line_and_back = [](const auto& set_up) {
+    const std::string line = set_up_line(set_up);
+    const auto again = read_set_up_line(line);
+    EXPECT_EQ(set_up_values(again), set_up_values(set_up)) << line;
+    return line;
+  };
+  EXPECT_EQ(line_and_back(shipped("arm", {"device.motor=elbow", "user.k_u_second_N_per_m=80"})),
+            "ghostforce run arm --set device.motor=elbow --set user.k_u_second_N_per_m=80.0 --view stage");
+  // A device and a wall that no shipped scene has together.
+  line_and_back(shipped("corner", {"device.kind=strings", "device.anchors_mm=[[150, 100], [-150, 0]]"}));
+  line_and_back(shipped("wall45", {"user.k_u_second_N_per_m=80", "user.k_u_first_deg=30"}));
+  line_and_back(shipped("pantograph", {"wall.kind=circle", "wall.center_mm=[0, 20]", "wall.radius_mm=30",
+                                       "wall.free=inside", "rendering.compliance_share=0.5"}));
 }
 
 TEST(SetUpLine, LeavesOutTitleAndAbout) {

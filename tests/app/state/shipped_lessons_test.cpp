@@ -81,6 +81,12 @@ constexpr std::array claims{
     Claim{"your-own-wall", "where", true, LessonQuantity::ghost_force, 2},
     Claim{"your-own-wall", "where", true, LessonQuantity::angle, 0},
     Claim{"how-stiff-are-you", "belief", true, LessonQuantity::ghost_force, 2},
+    Claim{"an-arm", "predict", false, LessonQuantity::depth, 0},
+    Claim{"an-arm", "predict", false, LessonQuantity::handle_to_target, 0},
+    Claim{"an-arm", "ghost", false, LessonQuantity::slide, 1},
+    Claim{"an-arm", "ghost", false, LessonQuantity::ghost_force, 2},
+    Claim{"an-arm", "joint", false, LessonQuantity::slide, 1},
+    Claim{"an-arm", "joint", true, LessonQuantity::slide, 1},
 };
 
 std::size_t number_of_step(const Lesson& lesson, std::string_view name) {

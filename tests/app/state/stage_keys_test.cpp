@@ -107,14 +107,6 @@ TEST_F(StageKeysTest, EnterIsTheNextStepOfWhyUpToTheLast) {
   EXPECT_EQ(session().stage.why_step, last_why_step);
 }
 
-TEST_F(StageKeysTest, EnterAnswersAGuess) {
-  press(key::q);
-  ASSERT_TRUE(session().stage.guess);
-  EXPECT_EQ(session().stage.reveals_asked, 0U);
-  press(key::enter);
-  EXPECT_EQ(session().stage.reveals_asked, 1U);
-}
-
 TEST_F(StageKeysTest, ArrowsMoveAGuessWhileItIsOpenAndThenTheGoalAgain) {
   const Vector<2> goal = session().goal;
   press(key::q);
@@ -265,24 +257,6 @@ TEST_F(StageKeysTest, TheMenuOpensWhatHasNoButtonOfItsOwn) {
   EXPECT_EQ(session().goal, before);
   click_at(300.0, 400.0);
   EXPECT_NE(session().goal, before);
-}
-
-TEST_F(StageKeysTest, ANoticeCoversNoButton) {
-  session().notice = Notice{
-      .words = "Saved a picture whose name is rather long: /home/somebody/pictures/of-a-lecture/wall45-naive.png",
-      .is_problem = true};
-  frames(3);
-  const ImGuiWindow* const notice = ImGui::FindWindowByName("notice");
-  ASSERT_NE(notice, nullptr);
-  const ImRect rect = notice->Rect();
-  const ScreenBox box{{static_cast<double>(rect.Min.x), static_cast<double>(rect.Min.y)},
-                      {static_cast<double>(rect.Max.x), static_cast<double>(rect.Max.y)}};
-  ASSERT_GE(screen().stage().picture().buttons.size(), 7U);
-  for (const StageButton& button : screen().stage().picture().buttons) {
-    const bool is_apart = button.box.most.y <= box.least.y || button.box.least.y >= box.most.y ||
-                          button.box.most.x <= box.least.x || button.box.least.x >= box.most.x;
-    EXPECT_TRUE(is_apart) << button.words << " " << button.box.least.x << " " << button.box.least.y;
-  }
 }
 
 TEST_F(StageKeysTest, TheDeviceStatusLeavesSentenceAndButtonsInSight) {

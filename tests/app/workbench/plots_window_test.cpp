@@ -1,7 +1,6 @@
 // The drawer with the plots, as a person uses it.
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -182,7 +181,7 @@ TEST_F(PlotsWindow, SavesWhatItShows) {
   act(SavePlots{folder / "nowhere/plots.csv", false});
   frames(1);
   ASSERT_TRUE(session().notice.has_value());
-  EXPECT_TRUE(session().notice->is_problem);
+  EXPECT_TRUE(is_problem());
 }
 
 TEST_F(PlotsWindow, TheButtonAsksForAName) {

@@ -7,11 +7,35 @@
 #include "app/cli/desktop_inputs.h"
 #include "device/input/mouse_input.h"
 #include "device/servo/servo.h"
+#include "tests/core/general_scenes.h"
 #include "tests/device/servo/servo_scenes.h"
 #include "tests/support/heap_guard.h"
 
 namespace ghostforce::servo_heap_test {
 namespace {
+
+TEST(ServoHeap, IsNotTouchedInAGeneralScene) {
+  for (Settings (*settings)() : {arm_settings, pantograph_settings, string_settings, corner_settings, curve_settings}) {
+    ServoCommand command;
+    command.settings = settings();
+    command.restart_state = state_at_start(command.settings, Vector<2>(0.0));
+    Servo servo(std::make_unique<MouseInput>(), command);
+    auto& mouse = dynamic_cast<MouseInput&>(servo.input());
+    std::int64_t contacts = 0;
+    {
+      HeapGuard guard;
+      for (int round = 0; round < 3000; ++round) {
+        if (round % 16 == 0) mouse.move_to(0.04 * direction_at(0.003 * round), 0.016);
+        if (round % 50 == 0) ++command.settings_generation;
+        command.settings.wall_normal_angle = 0.01 * round;
+        servo.send(command);
+        servo.step();
+        if (servo.newest().snapshot.strategies[0].in_contact) ++contacts;
+      }
+    }
+    EXPECT_GT(contacts, 500);
+  }
+}
 
 // Walks everything that a servo can be asked for, until its samples overflow.
 TEST(ServoHeap, IsNotTouchedByAnyInputOrStrategy) {

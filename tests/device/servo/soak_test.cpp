@@ -8,7 +8,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
@@ -46,7 +45,7 @@ void change(Settings& settings, Random& random) {
   const auto which = random.below(static_cast<int>(scene_keys().size()));
   for (int i = 0; i < static_cast<int>(scene_keys().size()); ++i) {
     const SceneKey& key = scene_keys()[static_cast<std::size_t>(i)];
-    if (is_setting(key) && (all || i == which)) std::visit(AnyValue{scene, random}, key.value);
+    if (is_setting(key) && key.format == 1 && (all || i == which)) std::visit(AnyValue{scene, random}, key.value);
   }
   settings = scene.settings;
 }

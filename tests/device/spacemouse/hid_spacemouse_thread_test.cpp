@@ -1,5 +1,4 @@
 // The three threads that meet in a HidSpaceMouseInput, with whatever is plugged into this machine; mostly nothing.
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <cmath>

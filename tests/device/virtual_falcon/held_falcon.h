@@ -8,8 +8,6 @@
 #include <memory>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "core/scene.h"
 #include "device/falcon/falcon_input.h"
 #include "device/servo/servo.h"

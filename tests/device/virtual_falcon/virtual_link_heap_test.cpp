@@ -1,7 +1,6 @@
 // Once it is made, the virtual Falcon never touches the heap: in a rehearsal the servo's thread lives in it.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <vector>
 
 #include "device/virtual_falcon/practice_firmware.h"

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
-#include <memory>
 
 #include "device/virtual_falcon/practice_firmware.h"
 #include "tests/device/virtual_falcon/link_exchange.h"

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <utility>

@@ -34,7 +34,7 @@ namespace {
 
 Outcome render(std::vector<std::string> words) {
   words.insert(words.begin(), "render");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 std::string vector_file(VectorFormat format, std::string_view title = "A title") {
@@ -195,7 +195,7 @@ TEST(RenderVectors, NeedsNoOpenGlAndGivesTheSameBytesOnEveryRun) {
       ProgramCall call;
       call.words = {"render", "fig1", "--strategy", "all", "-o", folder / std::string(name).append(ending)};
       call.environment = {no_opengl.variable(), "DISPLAY=", "WAYLAND_DISPLAY="};
-      const Outcome outcome = run_program(ghostforce_program(), call);
+      const Outcome outcome = run_ghostforce(call);
       ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
       EXPECT_EQ(outcome.out + outcome.err, "");
       files.push_back(read_whole(call.words.back()));
@@ -249,7 +249,7 @@ TEST(RenderVectors, RefusesTwoOutputsOfOneName) {
     ProgramCall call;
     call.words = {"render", "wall45", "-o", picture, "--json", json};
     call.folder = folder.path();
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.out, "");
     return outcome.exit_code == 2 && outcome.err.find("--output already writes to this file") != std::string::npos;
   };

@@ -5,16 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
-#include <cstdlib>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <ostream>
 #include <string>
 #include <vector>
 
-#include "app/files/png_writer.h"
 #include "tests/support/no_opengl.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -24,7 +19,7 @@ namespace {
 
 Outcome render(std::vector<std::string> words) {
   words.insert(words.begin(), "render");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 TEST(Render, MakesTheSameBytesOnEveryRun) {
@@ -143,7 +138,7 @@ TEST(Render, LeavesNothingBehindWhenInterrupted) {
   call.words = {"render", "wall45", "--set", "goal.duration_s=10000", "-o", folder / "picture.png"};
   call.signal_when_created_in = folder.path();
   call.signal = SIGINT;
-  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 130);
+  EXPECT_EQ(run_ghostforce(call).exit_code, 130);
   EXPECT_EQ(folder.count(), 0);
 }
 
@@ -154,7 +149,7 @@ TEST(Render, ChoosesItsOwnDriverAndSaysSo) {
     ProgramCall call;
     call.words = {"render", "wall45", "--size", "640x400", "-o", folder / name};
     call.environment = std::move(environment);
-    return run_program(ghostforce_program(), call);
+    return run_ghostforce(call);
   };
   ASSERT_EQ(render("plain.png", {}).exit_code, 0);
   const std::string plain = read_whole(folder / "plain.png");
@@ -184,7 +179,7 @@ TEST(Render, SaysWhatIsMissingWhereThereIsNoOpenGl) {
   ProgramCall call;
   call.words = {"render", "wall45", "-o", folder / "picture.png"};
   call.environment = {no_opengl.variable()};
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 6);
   EXPECT_NE(outcome.err.find("no OpenGL at all"), std::string::npos) << outcome.err;
   for (const std::string words : {"--renderer egl", "libegl1", "libgl1-mesa-dri", "--renderer osmesa", "libosmesa6"}) {
@@ -197,7 +192,7 @@ TEST(Run, SaysHowToMakePicturesWhereThereIsNoDisplay) {
   ProgramCall call;
   call.words = {"run"};
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY=", "XDG_SESSION_TYPE="};
-  const Outcome outcome = run_program(ghostforce_program(), call);
+  const Outcome outcome = run_ghostforce(call);
   EXPECT_EQ(outcome.exit_code, 6);
   EXPECT_NE(outcome.err.find("display"), std::string::npos) << outcome.err;
   EXPECT_NE(outcome.err.find("ghostforce render"), std::string::npos) << outcome.err;

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "tests/support/no_opengl.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -24,7 +23,7 @@ class RendererTest : public testing::Test {
     call.words = {"render", "wall45", "--size", "640x400", "-o", folder_ / name};
     call.words.insert(call.words.end(), more.begin(), more.end());
     call.environment = environment;
-    return run_program(ghostforce_program(), call);
+    return run_ghostforce(call);
   }
   std::string file(const std::string& name) const { return read_whole(folder_ / name); }
 
@@ -77,7 +76,7 @@ TEST_F(RendererTest, TheOneThatIsAskedForHasNoSubstitute) {
 TEST_F(RendererTest, IsRefusedWhereItHasNoSay) {
   for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
            {"render", "wall45", "-o", "a.svg", "--renderer", "egl"}, {"check", "ghost", "--renderer", "egl"}}) {
-    const Outcome outcome = run_program(ghostforce_program(), words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 2) << words[0];
     EXPECT_NE(outcome.err.find("--renderer"), std::string::npos) << outcome.err;
   }

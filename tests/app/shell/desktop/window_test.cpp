@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cstddef>
-
 namespace ghostforce::window_test {
 namespace {
 

@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -41,7 +40,7 @@ class Cases {
     call.words = {"check", path()};
     call.words.insert(call.words.end(), more.begin(), more.end());
     call.environment = environment;
-    return run_program(ghostforce_program(), call);
+    return run_ghostforce(call);
   }
   void update(const std::string& name) const {
     const Outcome outcome = check({"--update", name});

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <csignal>
 #include <filesystem>
 #include <map>
@@ -20,7 +19,6 @@
 #include "app/base/failure.h"
 #include "app/tools/check/case_folder.h"
 #include "app/tools/check/golden_origin.h"
-#include "app/tools/check/update.h"
 #include "app/tools/check/verdict.h"
 #include "ghostforce_version.h"
 #include "tests/app/tools/check/check_cases.h"
@@ -334,7 +332,7 @@ TEST(Check, NamesASceneAsThePersonWroteIt) {
                             "'scenes/mine.toml'?\n",
                             "c.toml:1:9: the key scene: no scene named 'scenes/wall46.toml'; did you mean 'wall45'?\n",
                             "d.toml:1:9: the key scene: no scene named 'something else'; give a path relative to this "
-                            "file, or one of changing-hand, fig1, "}) {
+                            "file, or one of arm, changing-hand, "}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
 }
@@ -371,7 +369,7 @@ TEST(Check, RefusesFoldersAndNamesThatAreNot) {
   fs::create_directory(cases.beside("pictures"));
   const auto refusal = [](std::vector<std::string> words) {
     words.insert(words.begin(), "check");
-    const Outcome outcome = run_program(ghostforce_program(), words);
+    const Outcome outcome = run_ghostforce(words);
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
@@ -405,7 +403,7 @@ TEST(Check, KeepsItsExitCodeWhenNobodyReadsOn) {
   ProgramCall call;
   call.words = {"check", cases.path()};
   call.close_after_first_piece = true;
-  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 1);
+  EXPECT_EQ(run_ghostforce(call).exit_code, 1);
 }
 
 // Words are lost on a reader who has gone, or on a full disk; the answer is not.
@@ -430,7 +428,7 @@ TEST(Check, LeavesNothingBehindWhenInterrupted) {
   call.words = {"check", cases.path(), "--report", report};
   call.signal_when_created_in = report;
   call.signal = SIGINT;
-  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 130);
+  EXPECT_EQ(run_ghostforce(call).exit_code, 130);
   EXPECT_EQ(Cases::files_in(report), std::set<std::string>{});
   EXPECT_EQ(cases.files().size(), 60U);
 }

@@ -200,7 +200,7 @@ TEST(CheckJobs, AreANumberWithinLimits) {
   }
   EXPECT_EQ(cases.check({"--jobs", "2", "--update", "wall"}).exit_code, 2);
   EXPECT_EQ(cases.files().size(), 1U);
-  const Outcome lesson = run_program(ghostforce_program(), {"check", "ghost", "--jobs", "2"});
+  const Outcome lesson = run_ghostforce({"check", "ghost", "--jobs", "2"});
   EXPECT_EQ(lesson.exit_code, 2);
   EXPECT_TRUE(contains(lesson.err, "--jobs, --json and --renderer are for a folder of cases"));
 }
@@ -239,7 +239,7 @@ TEST(CheckJobs, LeaveNothingBehindWhenInterrupted) {
   call.signal_when_created_in = report;
   call.signal = SIGINT;
   // It would wait for as long as a process has the other end of its output: none outlives the check.
-  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 130);
+  EXPECT_EQ(run_ghostforce(call).exit_code, 130);
   EXPECT_EQ(Cases::files_in(report), std::set<std::string>{});
 }
 

@@ -3,7 +3,6 @@
 #include <map>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -102,7 +101,7 @@ TEST(CheckJson, IsNotPrintedWhereNothingWasChecked) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(cases.check({"--json", "--update", "a"}).exit_code, 2);
-  EXPECT_EQ(run_program(ghostforce_program(), {"check", "ghost", "--json"}).exit_code, 2);
+  EXPECT_EQ(run_ghostforce({"check", "ghost", "--json"}).exit_code, 2);
 }
 
 TEST(CheckJson, KeepsTheExitCodeWhenNobodyReadsIt) {

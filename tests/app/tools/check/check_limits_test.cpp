@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -137,7 +136,7 @@ TEST(CheckUpdate, WritesThroughALinkThatStaysInside) {
   write_whole(cases / "wall.toml", std::string(small_case) + "strategy = \"full\"\n");
   // Wherever the folder itself is reached from.
   fs::create_directory_symlink("cases", cases.beside("link"));
-  const Outcome outcome = run_program(ghostforce_program(), {"check", cases.beside("link"), "--update", "wall"});
+  const Outcome outcome = run_ghostforce({"check", cases.beside("link"), "--update", "wall"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(fs::is_symlink(cases / "wall.png"));
   EXPECT_EQ(cases.check().exit_code, 0);

@@ -29,7 +29,7 @@
 #include "app/shell/desktop/glfw_window.h"
 #include "app/shell/desktop/offscreen.h"
 #include "app/tools/check/comparison.h"
-#include "app/widgets/style.h"
+#include "app/widgets/controls.h"
 #include "tests/app/tools/check/check_cases.h"
 #include "tests/support/read_png.h"
 
@@ -206,7 +206,7 @@ TEST(Check, DrawsWhatRenderDraws) {
   for (const auto& [name, words] : renders) {
     std::vector<std::string> call{"render", "-o", cases / (name + ".png")};
     call.insert(call.end(), words.begin(), words.end());
-    ASSERT_EQ(run_program(ghostforce_program(), call).exit_code, 0);
+    ASSERT_EQ(run_ghostforce(call).exit_code, 0);
   }
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -236,7 +236,7 @@ TEST(Check, PassesAgainWhereverAndHoweverItRuns) {
     ProgramCall call;
     call.words = {"check", folder};
     call.folder = from;
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 0) << folder << '\n' << outcome.out << outcome.err;
   }
   if (fs::exists("/usr/bin/taskset")) {

@@ -5,7 +5,6 @@
 #include <random>
 
 #include <gtest/gtest.h>
-#include <glm/geometric.hpp>
 
 namespace ghostforce::encoder_wiring_test {
 namespace {

@@ -61,7 +61,8 @@ TEST(InterruptedMeasurementDeathTest, MotorsAreOffBeforeTheProgramHasHeardOfIt) 
       if (!emergency_stop::is_ordered()) std::exit(1);
     });
     const MeasureCall call{.firmware = {},
-                           .input = {},
+                           .falcon = {},
+                           .injected_fault = {},
                            .cable = {},
                            .is_virtual = true,
                            .report = folder / "report.md",

@@ -2,7 +2,6 @@
 // answers and what the device is like, and the motors are looked at all the time.
 #pragma once
 
-#include <cmath>
 #include <deque>
 #include <functional>
 #include <map>

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -379,6 +378,26 @@ TEST(Claims, ABeliefThatIsTooHighOrHalfTheTruthIsBetterThanNaive) {
     }
   }
   EXPECT_EQ(simulated, 4 * 9);
+}
+
+// docs/figures.md: none where the motor is straight across the wall or along it, and more between.
+TEST(Claims, AWallIsGoodStraightAcrossTheMotorsLineOrAlongIt) {
+  const Vector<2> normal = direction_at(load_scene("arm").settings.wall_normal_angle);
+  int good = 0;
+  double worst = 0.0;
+  int runaways = 0;
+  for (const WallOfMotor& wall : walls_of_motors()) {
+    if (wall.found.rest == WallAtPose::Rest::runs_away) ++runaways;
+    if (wall.found.rest != WallAtPose::Rest::stays) continue;
+    const double straight = std::abs(glm::dot(wall.found.motor, normal));
+    worst = std::max(worst, wall.found.ghost_share);
+    if (straight < 0.9995) continue;
+    EXPECT_LT(wall.found.ghost_share, 0.1) << wall.motor << ' ' << wall.handle.x << ' ' << wall.handle.y;
+    ++good;
+  }
+  EXPECT_GT(good, 20);
+  EXPECT_GT(worst, 1.0);
+  EXPECT_GT(runaways, 20);
 }
 
 }  // namespace

@@ -14,15 +14,14 @@
 #include <gtest/gtest.h>
 
 #include "app/files/csv_table.h"
-#include "app/tools/figures/figure_catalog.h"
-#include "tests/support/places.h"
+#include "app/tools/figures/figure.h"
 #include "tests/support/program.h"
 
 namespace ghostforce {
 
 inline Outcome figures(std::vector<std::string> words) {
   words.insert(words.begin(), "figures");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 inline std::set<std::string> names_in(const std::string& folder) {

@@ -14,10 +14,9 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "app/tools/figures/figure_catalog.h"
+#include "app/tools/figures/figure.h"
 #include "ghostforce_version.h"
 #include "tests/app/tools/figures/figure_tables.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 #include "tests/support/temporary_folder.h"
 
@@ -30,7 +29,7 @@ namespace fs = std::filesystem;
 
 TEST(FiguresHand, IsTheRecordingsOwn) {
   const TemporaryFolder folder;
-  ASSERT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder / "run.csv"}).exit_code, 0);
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "-o", folder / "run.csv"}).exit_code, 0);
   const Outcome outcome = figures({"-o", folder / "out", "--only", "figure-6", "--hand", folder / "run.csv"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const ReadTable table = read_table(read_whole(folder / "out/figure-6.csv"));
@@ -51,7 +50,7 @@ TEST(FiguresHand, IsRefusedWhereItIsNoneOrGoesUnseen) {
   EXPECT_NE(outcome.err.find("words.csv"), std::string::npos) << outcome.err;
   outcome = figures({"-o", folder / "out", "--hand", folder / "nothing.csv"});
   EXPECT_NE(outcome.exit_code, 0);
-  ASSERT_EQ(run_program(ghostforce_program(), {"simulate", "fig1", "-o", folder / "run.csv"}).exit_code, 0);
+  ASSERT_EQ(run_ghostforce({"simulate", "fig1", "-o", folder / "run.csv"}).exit_code, 0);
   outcome = figures({"-o", folder / "out", "--only", "figure-1", "--hand", folder / "run.csv"});
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_NE(outcome.err.find("figure-6"), std::string::npos) << outcome.err;
@@ -60,7 +59,7 @@ TEST(FiguresHand, IsRefusedWhereItIsNoneOrGoesUnseen) {
 
 // A run of wall45 whose hand rests 20 mm inside the wall all the time, as it was recorded from 2 s on.
 std::string resting_run(const std::string& before_rows, const std::string& in_midst = "") {
-  const std::string text = run_program(ghostforce_program(), {"simulate", "wall45", "--strategy", "all"}).out;
+  const std::string text = run_ghostforce({"simulate", "wall45", "--strategy", "all"}).out;
   const std::size_t midst = text.find("\nfull,2.5,") + 1;
   const std::size_t begin = text.find("\nfull,2,") + 1;
   return text.substr(0, text.find("\nfull,0,") + 1) + before_rows + text.substr(begin, midst - begin) + in_midst +
@@ -143,7 +142,7 @@ TEST(FiguresHand, ClaimsNoMoreThanItsDataShow) {
   const TemporaryFolder folder;
   const auto caption_with = [&](std::vector<std::string> set) {
     set.insert(set.begin(), {"simulate", "wall45", "--strategy", "all"});
-    return hand_figure(folder, run_program(ghostforce_program(), std::move(set)).out).words;
+    return hand_figure(folder, run_ghostforce(std::move(set)).out).words;
   };
   EXPECT_TRUE(contains(caption_with({}), "Along the actuated direction, A feels like F at rest; N is pulled away"));
   EXPECT_TRUE(contains(caption_with({"--set", "rendering.tracking_ratio=1"}), "A does not feel like F at rest"));
@@ -211,7 +210,7 @@ TEST(FiguresCommand, LeavesNothingWhenInterrupted) {
     // The folder is made before seconds of drawing.
     call.signal_when_created_in = folder.path();
     call.signal = SIGINT;
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 130) << outcome.err;
     EXPECT_EQ(folder.count(), 0);
   }
@@ -233,7 +232,7 @@ TEST(FiguresCommand, NeedsNoDisplay) {
   ProgramCall call;
   call.words = {"figures", "-o", folder / "out/", "--only", "figure-2"};
   call.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
-  EXPECT_EQ(run_program(ghostforce_program(), call).exit_code, 0);
+  EXPECT_EQ(run_ghostforce(call).exit_code, 0);
   EXPECT_EQ(names_in(folder / "out").size(), figure_file_endings.size());
 }
 

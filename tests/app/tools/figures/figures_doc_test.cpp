@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/tools/figures/figure_catalog.h"
+#include "app/tools/figures/figure.h"
 #include "app/tools/figures/figures.h"
 #include "tests/support/places.h"
 #include "tests/support/temporary_folder.h"

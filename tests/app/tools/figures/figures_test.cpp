@@ -15,8 +15,7 @@
 
 #include "app/files/png_writer.h"
 #include "app/files/scene_file.h"
-#include "app/paint/vector/vector_painter.h"
-#include "app/tools/figures/figure_catalog.h"
+#include "app/tools/figures/figure.h"
 #include "app/tools/figures/sheet.h"
 #include "ghostforce_version.h"
 #include "tests/app/tools/figures/figure_tables.h"

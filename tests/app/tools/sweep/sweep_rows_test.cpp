@@ -23,7 +23,6 @@
 #include "core/ghost_force.h"
 #include "tests/app/tools/sweep/point_equilibrium.h"
 #include "tests/core/linear_equilibrium.h"
-#include "tests/support/places.h"
 #include "tests/support/program.h"
 
 namespace ghostforce::sweep_rows_test {
@@ -111,7 +110,7 @@ Csv parse_csv(const std::string& text) {
 
 Csv swept(std::vector<std::string> words) {
   words.insert(words.begin(), "sweep");
-  const Outcome outcome = run_program(ghostforce_program(), std::move(words));
+  const Outcome outcome = run_ghostforce(std::move(words));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   Csv csv = parse_csv(outcome.out);
   const auto unsettled = std::ranges::count_if(csv.rows, [](const Row& row) {
@@ -174,10 +173,9 @@ TEST(Sweep, OnePointIsWhatEquilibriumTells) {
   const Csv csv = swept({"fig1", "--over=user.believed_k_u_N_per_m=33.3:120:3", "--over=wall.normal_deg=95.5:140:3",
                          "--at-rest=closed-form"});
   for (const Row& row : csv.rows) {
-    const Outcome outcome =
-        run_program(ghostforce_program(), {"equilibrium", "fig1", "--json",
-                                           "--set=user.believed_k_u_N_per_m=" + row.text("user.believed_k_u_N_per_m"),
-                                           "--set=wall.normal_deg=" + row.text("wall.normal_deg")});
+    const Outcome outcome = run_ghostforce({"equilibrium", "fig1", "--json",
+                                            "--set=user.believed_k_u_N_per_m=" + row.text("user.believed_k_u_N_per_m"),
+                                            "--set=wall.normal_deg=" + row.text("wall.normal_deg")});
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     const nlohmann::json told = nlohmann::json::parse(outcome.out);
     EXPECT_EQ(row.number("depth_m"), told.at("depth_m").get<double>());

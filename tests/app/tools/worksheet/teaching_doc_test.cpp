@@ -48,7 +48,7 @@ TEST(TeachingDoc, HasCommandsThatRun) {
     std::string word;
     words_of_line >> word;
     while (words_of_line >> word) call.words.push_back(word);
-    const Outcome outcome = run_program(ghostforce_program(), call);
+    const Outcome outcome = run_ghostforce(call);
     EXPECT_EQ(outcome.exit_code, 0) << line << "\n" << outcome.err;
     ++count;
   }

@@ -13,7 +13,7 @@ namespace {
 
 Outcome worksheet(std::vector<std::string> words) {
   words.insert(words.begin(), "worksheet");
-  return run_program(ghostforce_program(), std::move(words));
+  return run_ghostforce(std::move(words));
 }
 
 bool holds(const std::string& text, std::string_view part) {
@@ -27,7 +27,7 @@ TEST(WorksheetCommand, WritesAPageForEachLessonWithTheSameBytesOnEveryRun) {
   EXPECT_EQ(outcome.err, "");
   const std::string all = read_whole(folder / "all.pdf");
   EXPECT_TRUE(all.starts_with("%PDF-"));
-  EXPECT_TRUE(holds(all, "/Count 10\n")) << "pages";
+  EXPECT_TRUE(holds(all, "/Count 11\n")) << "pages";
   EXPECT_TRUE(holds(all, "[ 0 0 595.276 841.89 ]"));
   EXPECT_TRUE(holds(all, "/ToUnicode")) << "letters that a search understands";
   EXPECT_EQ(worksheet({"-o", "-"}).out, all);
@@ -44,7 +44,7 @@ TEST(WorksheetCommand, TakesLessonsLanguageAndPaper) {
   ProgramCall call;
   call.words = {"worksheet", "ghost", "-o", "-"};
   call.environment = {"LC_ALL=es_ES.UTF-8"};
-  EXPECT_TRUE(holds(run_program(ghostforce_program(), call).out, "/Title (The ghost force)")) << "the same everywhere";
+  EXPECT_TRUE(holds(run_ghostforce(call).out, "/Title (The ghost force)")) << "the same everywhere";
   EXPECT_NE(worksheet({"ghost", "-o", "-", "--answers"}).out, worksheet({"ghost", "-o", "-"}).out);
 }
 

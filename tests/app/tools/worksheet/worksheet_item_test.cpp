@@ -1,5 +1,4 @@
 // What a worksheet asks, before anything has a place on paper.
-#include <algorithm>
 #include <set>
 #include <string>
 

@@ -1,7 +1,6 @@
 // Worksheets as pages: each lesson that comes with the program fits on one, in each language and on each paper, and none
 // says which answer is right before it is asked to.
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <tuple>
