@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -56,22 +57,39 @@ class MeasuredWords {
     return lines;
   }
 
+  // How many lines those are, without making them.
+  std::size_t line_count(double width) const { return counted(width).lines; }
+
   // The least width with which there are no more lines than so.
-  double least_width(std::size_t line_count) const {
-    double least = 0.0;
-    for (std::size_t from = 0; from < words_.size(); ++from) {
-      double width = -space_;
-      for (std::size_t to = from; to < words_.size(); ++to) {
-        width += space_ + widths_[to];
-        const bool is_enough = lines(width + rounding).size() <= line_count;
-        if (is_enough && (least == 0.0 || width < least)) least = width;
-      }
+  double least_width(std::size_t most_lines) const {
+    double width = 0.0;
+    for (Count count = counted(width); count.lines > most_lines; count = counted(width)) {
+      width = count.next_width + rounding;
     }
-    return least + rounding;
+    return width;
   }
 
  private:
   static constexpr double rounding = 1e-6;
+
+  struct Count {
+    std::size_t lines = 1;
+    double next_width = std::numeric_limits<double>::infinity();  // the least with which a line takes one word more
+  };
+  Count counted(double width) const {
+    Count count;
+    double line_width = 0.0;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      const double longer = line_width + space_ + widths_[i];
+      const bool begins_line = i == 0 || longer > width;
+      if (begins_line && i > 0) {
+        ++count.lines;
+        count.next_width = std::min(count.next_width, longer);
+      }
+      line_width = begins_line ? widths_[i] : longer;
+    }
+    return count;
+  }
 
   std::vector<std::string> words_;
   std::vector<double> widths_;
@@ -86,6 +104,10 @@ std::vector<std::string> broken_into_lines(std::string_view words, double width,
   std::vector<std::string> lines = measured.lines(width);
   if (lines.size() == 1) return lines;
   return measured.lines(std::min(width, measured.least_width(lines.size())));
+}
+
+std::size_t line_count(std::string_view words, double width, const TextStyle& style, const MeasureText& measure) {
+  return MeasuredWords(words, style, measure).line_count(width);
 }
 
 std::vector<std::string> broken_in_two(std::string_view words, const TextStyle& style, const MeasureText& measure) {

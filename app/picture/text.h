@@ -14,6 +14,9 @@ namespace ghostforce {
 std::vector<std::string> broken_into_lines(std::string_view words, double width, const TextStyle& style,
                                            const MeasureText& measure);
 
+// How many lines those are.
+std::size_t line_count(std::string_view words, double width, const TextStyle& style, const MeasureText& measure);
+
 // Two lines; a single word stays one.
 std::vector<std::string> broken_in_two(std::string_view words, const TextStyle& style, const MeasureText& measure);
 

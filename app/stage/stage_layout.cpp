@@ -117,7 +117,7 @@ class Arrangement {
     }
     arrange_numbers();
     const std::size_t most = words_.lesson != nullptr ? most_lesson_lines : most_lines;
-    const bool sentence_fits = lines(texts_.longest, mark_width(true)).size() <= most;
+    const bool sentence_fits = lines_of(texts_.longest) <= most;
     const double block_height =
         first_line() + static_cast<double>(most) * layout_.letters.sentence.height + numbers_size_.y;
     // In an upright window the buttons stand below each other, and leave the scene less.
@@ -183,10 +183,14 @@ class Arrangement {
     return broken_into_lines(words, sentence_width(indented_by), layout_.letters.sentence, measure_);
   }
 
-  // Of all that may stand where the sentence does. In most windows nothing is wider than a line.
+  // Beside a lesson's mark.
+  std::size_t lines_of(std::string_view words) const {
+    return line_count(words, sentence_width(mark_width(true)), layout_.letters.sentence, measure_);
+  }
+
+  // Of all that may stand where the sentence does.
   std::size_t most_lines_there() const {
     const double width = sentence_width(mark_width(true));
-    const auto lines_of = [&](std::string_view text) { return lines(text, mark_width(true)).size(); };
     const std::vector<double>& wide = widths_.of(words_.language, layout_.letters.sentence, measure_);
     std::size_t most = texts_.has_sentences ? 1 : lines_of(texts_.longest);
     for (std::size_t i = texts_.has_sentences ? 0 : sentence_count; i < wide.size(); ++i) {
