@@ -239,12 +239,14 @@ double RibbonAxis::x_at(double time_s) const noexcept {
 
 std::optional<double> RibbonAxis::time_at(double x) const noexcept {
   if (!(x < right)) return std::nullopt;
-  return end_s - MomentHistory::span_s * std::min(1.0, (right - x) / (right - left));
+  return std::max(oldest_s, end_s - MomentHistory::span_s * std::min(1.0, (right - x) / (right - left)));
 }
 
 RibbonAxis ribbon_axis(const Ribbon& ribbon) noexcept {
   const double room = std::min(0.7 * em_of(ribbon), 0.25 * ribbon.box.extent().x);
-  return {ribbon.box.least.x + room, ribbon.box.most.x - room, ribbon.moments.changed_s()};
+  const std::optional<ShownMoment> oldest = ribbon.moments.oldest();
+  const double end_s = ribbon.moments.changed_s();
+  return {ribbon.box.least.x + room, ribbon.box.most.x - room, end_s, oldest ? oldest->snapshot.time_s : end_s};
 }
 
 double ribbon_height(const Ribbon& ribbon) {

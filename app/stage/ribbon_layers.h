@@ -29,13 +29,14 @@ struct Ribbon {
 
 // Time along the ribbon.
 struct RibbonAxis {
-  double left = 0.0;   // where it begins [points]
-  double right = 1.0;  // now
-  double end_s = 0.0;  // there, model time
+  double left = 0.0;      // where it begins [points]
+  double right = 1.0;     // now
+  double end_s = 0.0;     // there, model time
+  double oldest_s = 0.0;  // nothing is kept from before
 
   // Times outside are at the ends.
   double x_at(double time_s) const noexcept;
-  // Under a pointer; empty at the right end and beyond: now.
+  // Under a pointer, of what is kept; empty at the right end and beyond: now.
   std::optional<double> time_at(double x) const noexcept;
 };
 RibbonAxis ribbon_axis(const Ribbon& ribbon) noexcept;

@@ -180,112 +180,11 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
   }
 }
 
-namespace {
-
-// Whether the numbers, the small picture or what is round the scene lie over anything that must be seen.
-bool is_covered(const StagePicture& picture, std::span<const StageStroke> strokes, double view_width) {
-  const Camera& camera = picture.pane.camera;
-  const double unit = camera.points_per_metre * view_width / stage_view_width;
-  return std::ranges::any_of(strokes, [&](const StageStroke& stroke) {
-    const double radius = stroke.radius * unit;
-    const auto at = [&](const FitPoint& point) { return to_screen(camera, point.world) + point.offset * unit; };
-    ScreenPiece piece{at(stroke.from), at(stroke.to), 0.0};
-    const ScreenBox room = picture.scene.grown(-radius);
-    if (!contains(room, piece.from) || !contains(room, piece.to)) return true;
-    const auto lies_over = [&](const std::optional<ScreenBox>& box) {
-      ScreenPiece below = piece;
-      return box && clip(box->grown(radius), below);
-    };
-    return lies_over(picture.numbers) || lies_over(picture.inset);
-  });
-}
-
-}  // namespace
-
-// A moment that is looked back at may lie elsewhere. Nobody has asked for that view: once it is over, the one before is
-// there again, but for one that a person has moved meanwhile.
-void StageFace::give_view_back(Session& session, const StageFrame& frame) {
-  const bool is_chosen = session.fits_view || scene_ != session.scene || session.stage_shown != wanted_view_;
-  if (is_chosen) view_before_past_.reset();
-  if (!view_before_past_ || frame.shown.is_past || pointer_.is_holding()) return;
-  session.stage_shown = wanted_view_ = *view_before_past_;
-  view_before_past_.reset();
-}
-
-namespace {
-
-// Of a device whose handle comes to rest nowhere: where it is now [m].
-std::optional<Vector<2>> runaway_handle(const Session& session, const StageFrame& frame) {
-  const StrategyId id = session.settings.active;
-  if (!is_general(session.settings) || rest_of(id, session.settings, session.goal)) return std::nullopt;
-  return frame.shown.snapshot.strategies[index_of(id)].device;
-}
-
-SceneView fitting_view(const Session& session, const StageFrame& frame) {
-  const auto handle = runaway_handle(session, frame);
-  if (!handle || session.stage.mode == StageMode::landscape) return stage_view_of(session);
-  return stage_view_of(session.settings, std::array{session.goal, *handle}, reference_force_of(session));
-}
-
-}  // namespace
-
-// What a person moves is there at once. A view that fits what has happened is glided to, once nobody holds anything:
-// where something of it is covered. Whoever has moved the view then keeps it until something else happens.
-void StageFace::follow_view(Session& session, const StageFrame& frame, double interval_s) {
-  constexpr double glides_s = 0.12;  // until two thirds of the way
-  const bool is_other_scene = scene_ != session.scene;
-  give_view_back(session, frame);
-  const bool is_map = session.stage.mode == StageMode::landscape;
-  if (std::exchange(session.fits_view, false)) {
-    session.stage_shown = fitting_view(session, frame);
-  } else if (session.stage_shown != wanted_view_ || is_other_scene || is_map) {
-    // A workspace that a device was given by a drag is shown once that is over.
-    const bool is_other_device = !pointer_.is_holding() && fitted_settings_.general != session.settings.general;
-    if (is_map && has_joints(session.settings) && is_other_device) session.stage_shown = stage_view_of(session);
-    if (!pointer_.is_holding()) fitted_settings_ = session.settings;
-    view_ = session.stage_shown;
-  } else if ((frame.shown.is_past || !pointer_.is_holding()) && !transition_.is_running() && !show_.is_on() &&
-             !view_moves_) {
-    const double reference_force = reference_force_of(session);
-    const std::optional<Vector<2>>& guess = session.stage.guess;
-    const bool is_other =
-        fitted_settings_ != session.settings || fitted_goal_ != session.goal || fitted_guess_ != guess;
-    fitted_settings_ = session.settings;
-    fitted_goal_ = session.goal;
-    fitted_guess_ = guess;
-    const Snapshot& snapshot = frame.shown.snapshot;
-    if (snapshot.measured || frame.shown.is_past) {
-      // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
-      const Vector<2> there =
-          snapshot.measured ? snapshot.strategies[index_of(*snapshot.measured)].device : snapshot.goal;
-      const std::array places{session.goal, there};
-      const bool is_seen = contains(picture_.scene, to_screen(picture_.pane.camera, there));
-      if (!is_seen && !snapshot.measured && !view_before_past_) view_before_past_ = session.stage_shown;
-      if (!is_seen) session.stage_shown = stage_view_of(session.settings, places, reference_force);
-    } else if (is_other && session.pointer_moves_goal) {
-      auto strokes = stage_strokes(settings_now(session), session.goal, reference_force);
-      if (guess) strokes.push_back(guess_stroke(*guess));
-      const bool is_hidden = is_covered(picture_, strokes, session.stage_shown.width);
-      if (is_hidden) session.stage_shown = fitting_view(session, frame);
-    } else if (const auto handle = runaway_handle(session, frame)) {
-      const bool is_seen = contains(picture_.scene, to_screen(picture_.pane.camera, *handle));
-      if (!is_seen) session.stage_shown = fitting_view(session, frame);
-    }
-  }
-  wanted_view_ = session.stage_shown;
-  const double share = reduces_motion(session) ? 1.0 : 1.0 - std::exp(-interval_s / glides_s);
-  view_.center = glm::mix(view_.center, session.stage_shown.center, share);
-  view_.width = glm::mix(view_.width, session.stage_shown.width, share);
-  const double apart =
-      glm::distance(view_.center, session.stage_shown.center) + std::abs(view_.width - session.stage_shown.width);
-  view_moves_ = apart > 2e-3 * view_.width;
-  if (!view_moves_) view_ = session.stage_shown;
-}
-
 void StageFace::update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys,
                        double interval_s) {
   pointer_.update(session, apply, frame, picture_);
-  follow_view(session, frame, interval_s);
+  const bool is_busy = transition_.is_running() || show_.is_on();
+  view_.follow(session, {frame, picture_, pointer_.is_holding(), is_busy, has_rest_}, interval_s);
   // What begins in this frame begins at its beginning.
   transition_.advance(interval_s);
   follow_session(session, frame);
@@ -418,7 +317,7 @@ StageReading StageFace::reading(const Session& session, const StageFrame& frame)
 const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {
   const Shown shown = shown_in(session, frame);
   StageContent content = content_of(session, frame, shown);
-  if (session.stage.mode != StageMode::round) content.shown = view_;
+  if (session.stage.mode != StageMode::round) content.shown = view_.view();
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
   content.is_dragging = pointer_.is_holding();
@@ -433,6 +332,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.rail_pivot = pivot_of_rail(session, content.moment);
   // One thing to do at a time.
   if (content.warning.empty()) content.hint = stage_hint(session, content.moment, content.audience);
+  has_rest_ = content.moment.has_rest;
   picture_ = compose_stage(content, memory_, interval_s, std::move(picture_.pane.marks));
   return picture_;
 }
@@ -442,7 +342,7 @@ Pane StageFace::pane_apart(const Session& session, const StageFrame& frame, Labe
   if (session.face == Face::stage) {
     const Shown shown = shown_in(session, frame);
     StageContent content = content_of(session, frame, shown);
-    if (session.stage.mode != StageMode::round) content.shown = view_;
+    if (session.stage.mode != StageMode::round) content.shown = view_.view();
     return compose_stage(content, memory, interval_s).pane;
   }
   Session plain = beside_stage(session);
@@ -458,7 +358,8 @@ StagePicture StageFace::still(const Session& session, const StageFrame& frame) c
 }
 
 bool StageFace::is_moving() const noexcept {
-  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing() || view_moves_;
+  return transition_.is_running() || memory_.is_moving() || show_.is_moving() || guess_.is_revealing() ||
+         view_.is_moving();
 }
 
 }  // namespace ghostforce

@@ -11,6 +11,7 @@
 #include "app/stage/stage_content.h"
 #include "app/stage/stage_pointer.h"
 #include "app/stage/stage_transition.h"
+#include "app/stage/view_follower.h"
 #include "app/state/action.h"
 
 namespace ghostforce {
@@ -53,8 +54,6 @@ class StageFace {
   Shown live_in(const Session& session, const StageFrame& frame, const StageBlend& blend) const;
   Shown shown_in(const Session& session, const StageFrame& frame) const;
   StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
-  void follow_view(Session& session, const StageFrame& frame, double interval_s);
-  void give_view_back(Session& session, const StageFrame& frame);
   void follow_session(const Session& session, const StageFrame& frame);
 
   StagePicture picture_;
@@ -65,15 +64,10 @@ class StageFace {
   IdleShow show_;
   StagePointer pointer_;
   std::shared_ptr<const Scene> scene_;  // that the transition is in
-  SceneView view_;                      // on its way to the session's
-  SceneView wanted_view_;               // of the frame before
-  bool view_moves_ = false;
-  std::optional<SceneView> view_before_past_;  // before it went to a moment of the past; empty: it did not
-  Settings seen_settings_;                     // of the last frame
-  Vector<2> seen_goal_{0.0};                   // of the last frame [m]
-  Settings fitted_settings_;                   // that the view was last made to fit, or found to
-  Vector<2> fitted_goal_{0.0};
-  std::optional<Vector<2>> fitted_guess_;
+  ViewFollower view_;
+  bool has_rest_ = true;    // under the hand of the last frame
+  Settings seen_settings_;  // of the last frame
+  Vector<2> seen_goal_{0.0};
 };
 
 }  // namespace ghostforce

@@ -148,6 +148,34 @@ TEST_F(StageViewWindow, IsAsBeforeOnceTheLastMinuteIsClosed) {
   EXPECT_EQ(session().stage_shown, before);
 }
 
+TEST_F(StageViewWindow, IsAsBeforeOnceADragIsUndone) {
+  const SceneView first = session().stage_shown;
+  drag_slowly(on_window(session().goal), {1250.0, 60.0});
+  const SceneView second = session().stage_shown;
+  EXPECT_NE(second, first) << "the hand would be covered";
+  drag_slowly(on_window(session().goal), {30.0, 700.0});
+  EXPECT_NE(session().stage_shown, second) << "the hand would be covered";
+  press(key::z, modifier::control);
+  frames(120);
+  EXPECT_EQ(session().stage_shown, second);
+  press(key::z, modifier::control);
+  frames(120);
+  EXPECT_EQ(session().stage_shown, first);
+}
+
+TEST_F(StageViewWindow, KeepsTheHandAboveTheRibbonAndIsAsBeforeWithoutIt) {
+  for (const Vector<2>& place : {Vector<2>(820.0, 655.0), Vector<2>(700.0, 560.0), Vector<2>(1000.0, 640.0)}) {
+    drag_slowly(on_window(session().goal), place);
+    const SceneView before = session().stage_shown;
+    press(key::h);
+    frames(120);
+    expect_nothing_is_covered(fmt::format("the ribbon, with the hand at {}, {}", place.x, place.y));
+    press(key::h);
+    frames(120);
+    EXPECT_EQ(session().stage_shown, before);
+  }
+}
+
 TEST_F(StageViewWindow, StaysWhereAPersonHasMovedIt) {
   drag({640.0, 400.0}, {250.0, 300.0}, GLFW_MOUSE_BUTTON_RIGHT);
   const SceneView moved = session().stage_shown;

@@ -120,6 +120,18 @@ TEST(Ribbon, PointerAndTimeLeadBackAndForth) {
   EXPECT_EQ(axis.x_at(1e9), axis.right);
 }
 
+TEST(Ribbon, APointerFindsNothingFromBeforeTheMotionBegan) {
+  const MomentHistory moments = history_of(20.0, [](double) { return 1.0; });
+  const Theme& theme = *find_theme("light");
+  const Camera camera = camera_on({0.0, 0.0}, 0.1, {1280.0, 720.0});
+  const RibbonAxis axis =
+      ribbon_axis({moments, {}, english_stage, theme, measure, camera, {{40.0, 600.0}, {1240.0, 700.0}}});
+  const double oldest_s = moments.oldest()->snapshot.time_s;
+  EXPECT_GT(axis.x_at(oldest_s), axis.left + 100.0);
+  EXPECT_EQ(axis.time_at(axis.left), oldest_s);
+  EXPECT_EQ(axis.time_at(axis.x_at(oldest_s) - 50.0), oldest_s);
+}
+
 TEST(Ribbon, SaysWhenAndHowMuch) {
   const MomentHistory moments = history_of(100.0, [](double time_s) { return time_s < 70.0 ? 0.0 : 1.2; });
   const Drawn now = draw(moments);

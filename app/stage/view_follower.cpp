@@ -1,0 +1,132 @@
+#include "app/stage/view_follower.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ranges>
+#include <span>
+#include <utility>
+
+#include <glm/geometric.hpp>
+
+#include "app/state/lesson_guide.h"
+#include "app/state/stage_view.h"
+
+namespace ghostforce {
+namespace {
+
+// Whether the numbers, the small picture or what is round the scene lie over anything that must be seen.
+bool is_covered(const StagePicture& picture, std::span<const StageStroke> strokes, double view_width) {
+  const Camera& camera = picture.pane.camera;
+  const double unit = camera.points_per_metre * view_width / stage_view_width;
+  return std::ranges::any_of(strokes, [&](const StageStroke& stroke) {
+    const double radius = stroke.radius * unit;
+    const auto at = [&](const FitPoint& point) { return to_screen(camera, point.world) + point.offset * unit; };
+    ScreenPiece piece{at(stroke.from), at(stroke.to), 0.0};
+    const ScreenBox room = picture.scene.grown(-radius);
+    if (!contains(room, piece.from) || !contains(room, piece.to)) return true;
+    const auto lies_over = [&](const std::optional<ScreenBox>& box) {
+      ScreenPiece below = piece;
+      return box && clip(box->grown(radius), below);
+    };
+    return lies_over(picture.numbers) || lies_over(picture.inset);
+  });
+}
+
+bool is_in_sight(const StagePicture& picture, const Vector<2>& place) {
+  return contains(picture.scene, to_screen(picture.pane.camera, place));
+}
+
+Vector<2> active_handle(const Session& session, const StageFrame& frame) {
+  return frame.shown.snapshot.strategies[index_of(session.settings.active)].device;
+}
+
+SceneView fitting_view(const Session& session, const ViewFollower::Moment& moment) {
+  if (moment.has_rest || session.stage.mode == StageMode::landscape) return stage_view_of(session);
+  const std::array places{session.goal, active_handle(session, moment.frame)};
+  return stage_view_of(session.settings, places, reference_force_of(session));
+}
+
+}  // namespace
+
+// Nobody has asked for the view of a moment that is looked back at: once that is over, the one before is there again.
+void ViewFollower::follow_past(Session& session, const Moment& moment, const Vector<2>& there) {
+  if (is_in_sight(moment.picture, there)) return;
+  const bool is_measured = moment.frame.shown.snapshot.measured.has_value();
+  if (!is_measured && !view_before_past_) view_before_past_ = session.stage_shown;
+  session.stage_shown = stage_view_of(session.settings, std::array{session.goal, there}, reference_force_of(session));
+}
+
+void ViewFollower::follow_subject(Session& session, const Moment& moment) {
+  const Subject before =
+      std::exchange(subject_, {session.settings, session.goal, session.stage.guess, moment.picture.scene.most});
+  if (subject_ == before || !session.pointer_moves_goal) {
+    const bool runs_away = !moment.has_rest && !is_in_sight(moment.picture, active_handle(session, moment.frame));
+    if (runs_away) session.stage_shown = fitting_view(session, moment);
+    return;
+  }
+  const bool has_only_other_room =
+      subject_.settings == before.settings && subject_.goal == before.goal && subject_.guess == before.guess;
+  if (is_chosen_ && has_only_other_room) return;
+  is_chosen_ = false;
+  const auto same = std::ranges::find(left_ | std::views::reverse, subject_, &Left::subject);
+  if (same != left_.rend()) {
+    session.stage_shown = same->view;
+    left_.erase(std::prev(same.base()), left_.end());
+    return;
+  }
+  auto strokes = stage_strokes(settings_now(session), session.goal, reference_force_of(session));
+  if (session.stage.guess) strokes.push_back(guess_stroke(*session.stage.guess));
+  if (!is_covered(moment.picture, strokes, session.stage_shown.width)) return;
+  constexpr std::size_t most_left = 64;
+  if (left_.size() == most_left) left_.erase(left_.begin());
+  left_.push_back({before, session.stage_shown});
+  session.stage_shown = fitting_view(session, moment);
+}
+
+void ViewFollower::glide_to(const SceneView& wanted, double share) {
+  view_.center = glm::mix(view_.center, wanted.center, share);
+  view_.width = glm::mix(view_.width, wanted.width, share);
+  const double apart = glm::distance(view_.center, wanted.center) + std::abs(view_.width - wanted.width);
+  is_moving_ = apart > 2e-3 * view_.width;
+  if (!is_moving_) view_ = wanted;
+}
+
+void ViewFollower::follow(Session& session, const Moment& moment, double interval_s) {
+  constexpr double glides_s = 0.12;  // until two thirds of the way
+  const StageFrame& frame = moment.frame;
+  const bool is_other_scene = std::exchange(scene_, session.scene) != session.scene;
+  const bool is_map = session.stage.mode == StageMode::landscape;
+  const bool is_moved = session.stage_shown != wanted_;
+  if (session.fits_view || is_other_scene || is_moved) view_before_past_.reset();
+  if (view_before_past_ && !frame.shown.is_past && !moment.is_held) {
+    session.stage_shown = wanted_ = *std::exchange(view_before_past_, std::nullopt);
+  }
+  if (std::exchange(session.fits_view, false)) {
+    session.stage_shown = fitting_view(session, moment);
+    is_chosen_ = false;
+    left_.clear();
+  } else if (is_moved || is_other_scene || is_map) {
+    // A workspace that a device was given by a drag is shown once that is over.
+    const bool is_other_device = !moment.is_held && subject_.settings.general != session.settings.general;
+    if (is_map && has_joints(session.settings) && is_other_device) session.stage_shown = stage_view_of(session);
+    if (!moment.is_held) subject_.settings = session.settings;
+    view_ = session.stage_shown;
+    is_chosen_ = is_moved && !is_other_scene;
+    left_.clear();
+  } else if ((frame.shown.is_past || !moment.is_held) && !moment.is_busy && !is_moving_) {
+    const Snapshot& snapshot = frame.shown.snapshot;
+    // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
+    if (snapshot.measured) {
+      follow_past(session, moment, snapshot.strategies[index_of(*snapshot.measured)].device);
+    } else if (frame.shown.is_past) {
+      follow_past(session, moment, snapshot.goal);
+    } else {
+      follow_subject(session, moment);
+    }
+  }
+  wanted_ = session.stage_shown;
+  glide_to(session.stage_shown, reduces_motion(session) ? 1.0 : 1.0 - std::exp(-interval_s / glides_s));
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,59 @@
+// ViewFollower: the view of the stage follows what happens, so that what must be seen is in sight. It stands still while
+// somebody holds something, and then glides, once, where something is covered. A view that somebody has moved stays until
+// something else is moved. What undoes the reason gives the former view back: Undo, the end of the last minute. UI thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/stage/stage.h"
+#include "app/state/session.h"
+
+namespace ghostforce {
+
+class ViewFollower {
+ public:
+  struct Moment {
+    const StageFrame& frame;
+    const StagePicture& picture;  // of the frame before
+    bool is_held = false;         // somebody holds something
+    bool is_busy = false;         // the picture moves by itself
+    bool has_rest = true;         // else the handle runs away
+  };
+  // Once a frame; may change the session's view.
+  void follow(Session& session, const Moment& moment, double interval_s);
+
+  // On its way to the session's.
+  const SceneView& view() const noexcept { return view_; }
+  bool is_moving() const noexcept { return is_moving_; }
+
+ private:
+  // What a view is for.
+  struct Subject {
+    Settings settings{};
+    Vector<2> goal{0.0};
+    std::optional<Vector<2>> guess{};
+    Vector<2> room{0.0};  // the scene ends there, at the right and above what is below it [points]
+
+    friend bool operator==(const Subject&, const Subject&) = default;
+  };
+  struct Left {
+    Subject subject;
+    SceneView view;
+  };
+  void follow_past(Session& session, const Moment& moment, const Vector<2>& there);
+  void follow_subject(Session& session, const Moment& moment);
+  void glide_to(const SceneView& wanted, double share);
+
+  SceneView view_{};
+  SceneView wanted_{};                    // of the frame before
+  std::shared_ptr<const Scene> scene_{};  // of the frame before
+  bool is_moving_ = false;
+  bool is_chosen_ = false;    // a person has moved it, and nothing else since
+  Subject subject_{};         // of the view, or found in sight with it
+  std::vector<Left> left_{};  // views that were left because something was covered, the last at the end
+  std::optional<SceneView> view_before_past_;  // before it went to a moment of the past; empty: it did not
+};
+
+}  // namespace ghostforce
