@@ -79,11 +79,9 @@ void refuse_all_on_stage(const RenderOptions& options, Face face) {
       "the stage shows one strategy at a time; name one with --strategy, leave out --compare, or use --view workbench");
 }
 
-// A scene that the workbench does not show is on the stage, unless something else was asked for.
+// A scene of format 2 is on the stage, where its device can be moved, unless something else was asked for.
 Face face_of(const RenderOptions& options, const Scene& scene) {
-  const bool is_on_stage_alone = is_general(scene.settings);
-  const Face face = options.picture.face_or(is_on_stage_alone ? Face::stage : Face::workbench);
-  if (face == Face::workbench) refuse_on_workbench(scene, quoted_text(scene.title));
+  const Face face = options.picture.face_or(is_general(scene.settings) ? Face::stage : Face::workbench);
   refuse_all_on_stage(options, face);
   return face;
 }

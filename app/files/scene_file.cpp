@@ -134,13 +134,6 @@ Scene load_scene(const std::string& name_or_path, std::span<const std::string> o
   return read_scene(named_text(name_or_path, "scene", embedded_scenes), name_or_path, overrides);
 }
 
-void refuse_on_workbench(const Scene& scene, std::string_view shown_path) {
-  if (!is_general(scene.settings)) return;
-  throw ReadError(ReadError::Kind::wrong, {{.file = std::string(shown_path),
-                                            .what = std::string(not_on_workbench),
-                                            .remedy = "look at it on the stage: --view stage"}});
-}
-
 namespace {
 
 // Whether a file of the scene tells that key, with that value.

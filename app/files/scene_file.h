@@ -42,12 +42,6 @@ bool may_be_scene(const std::string& name_or_path);
 // there is none, or where its text is wrong; unreadable.
 Scene load_scene(const std::string& name_or_path, std::span<const std::string> overrides = {});
 
-inline constexpr std::string_view not_on_workbench = "the workbench does not show scenes of format 2 yet";
-
-// What the workbench of this version does not show: general scenes. Throws ReadError(wrong), one sentence; `shown_path`
-// is what it calls the scene.
-void refuse_on_workbench(const Scene& scene, std::string_view shown_path);
-
 // The number of the format that scene_text() writes.
 int format_of(const Scene& scene);
 

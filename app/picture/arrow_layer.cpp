@@ -85,7 +85,7 @@ void add_drift(const View& view, Marks& marks) {
   const Ruler& ruler = *found;
   const StrategyId id = view.settings.active;
   const Colour colour = view.theme.strategy[index_of(id)];
-  const Vector<2> normal = wall_of(view.settings).normal;
+  const Vector<2> normal = wall_near(view.settings, view.snapshot.strategies[index_of(id)].contact).normal;
   const Vector<2> tick = normal * view.metres(5.0);
   const auto line = [&](const Vector<2>& from, const Vector<2>& to, double width) {
     marks.push_back({Role::proxy_drift, id, Line{from, to, view.points(width), colour}});

@@ -46,7 +46,7 @@ void add_dial(const View& view, Marks& marks) {
 
 // Two round grips on the wall.
 void add_wall_grips(const View& view, Marks& marks) {
-  const auto grips = wall_grips(wall_of(view.settings), view.camera, view.points(1.0));
+  const auto grips = wall_grips(view.settings, view.camera, view.points(1.0));
   if (!view.has_handles || !grips) return;
   const bool is_hovered = view.hovered == Handle::wall;
   for (const Vector<2>& grip : *grips) {
@@ -61,10 +61,11 @@ void add_wall_grips(const View& view, Marks& marks) {
 
 void add_handles(const View& view, Marks& marks) {
   add_wall_grips(view, marks);
-  add_dial(view, marks);
+  if (has_motor_dial(view.settings)) add_dial(view, marks);
 }
 
 void add_dial_caption(const View& view, LabelPlacer& labels, Marks& marks) {
+  if (!has_motor_dial(view.settings)) return;
   const auto [middle, radius] = motor_dial(view.camera, view.points(1.0));
   const std::string_view noun = strategy(view.settings.active).has_every_motor ? "directions" : "direction";
   std::vector<std::string> lines{fmt::format("actuated {}", noun)};

@@ -21,7 +21,13 @@ MotorDial motor_dial(const Camera& camera, double unit) {
           radius};
 }
 
-std::optional<std::array<Vector<2>, 2>> wall_grips(const Wall<2>& wall, const Camera& camera, double unit) {
+bool has_motor_dial(const Settings& settings) noexcept {
+  return settings.general.mechanism == MechanismKind::axes;
+}
+
+std::optional<std::array<Vector<2>, 2>> wall_grips(const Settings& settings, const Camera& camera, double unit) {
+  if (settings.general.constraint != ConstraintKind::plane) return std::nullopt;
+  const Wall<2> wall = wall_of(settings);
   // The line at + t along, cut to the picture without its margin, one axis after the other.
   const Vector<2> at = to_screen(camera, wall.point);
   const Vector<2> along = to_screen_direction({-wall.normal.y, wall.normal.x});
@@ -46,8 +52,9 @@ std::optional<std::array<Vector<2>, 2>> wall_grips(const Wall<2>& wall, const Ca
 
 Handle handle_at(const Settings& settings, const Camera& camera, double unit, const Vector<2>& pointer) {
   const MotorDial dial = motor_dial(camera, unit);
-  if (glm::distance(pointer, dial.middle) <= dial.radius + 6.0 * unit) return Handle::motor_axis;
-  if (const auto grips = wall_grips(wall_of(settings), camera, unit)) {
+  const bool is_on_dial = glm::distance(pointer, dial.middle) <= dial.radius + 6.0 * unit;
+  if (is_on_dial && has_motor_dial(settings)) return Handle::motor_axis;
+  if (const auto grips = wall_grips(settings, camera, unit)) {
     for (const Vector<2>& grip : *grips) {
       if (glm::distance(pointer, grip) <= grip_reach * unit) return Handle::wall;
     }

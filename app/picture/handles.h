@@ -17,8 +17,11 @@ struct MotorDial {
 // `unit` is the size of a point: UI scale × the theme's thickness.
 MotorDial motor_dial(const Camera& camera, double unit);
 
-// Empty where too little of the wall is to be seen.
-std::optional<std::array<Vector<2>, 2>> wall_grips(const Wall<2>& wall, const Camera& camera, double unit);
+// Whether the motor has one direction, wherever the handle is.
+bool has_motor_dial(const Settings& settings) noexcept;
+
+// Empty where too little of the wall is to be seen, or it is no straight one.
+std::optional<std::array<Vector<2>, 2>> wall_grips(const Settings& settings, const Camera& camera, double unit);
 
 inline constexpr double grip_radius = 7.0;  // of what is drawn [points]
 

@@ -25,7 +25,7 @@ class SceneWords {
   explicit SceneWords(const View& view) : view_(view), now_(view.snapshot.strategies[index_of(view.settings.active)]) {}
 
   void add_all() {
-    const Vector<2> normal = to_screen_direction(wall_of(view_.settings).normal);
+    const Vector<2> normal = to_screen_direction(wall_near(view_.settings, now_.contact).normal);
     add_force();
     if (const auto ruler = drift_ruler(view_)) {
       add({.id = SceneLabel::drift,
@@ -141,7 +141,7 @@ class SceneWords {
 };
 
 void keep_line_clear(const View& view, Role role, const Line& line, LabelPlacer& labels) {
-  const bool is_thin = role == Role::wall || role == Role::hand_spring;
+  const bool is_thin = role == Role::wall || role == Role::hand_spring || role == Role::linkage;
   const bool matters = is_thin || role == Role::proxy_drift || role == Role::tracking_link || role == Role::contact ||
                        role == Role::target || role == Role::goal;
   if (!matters) return;

@@ -149,7 +149,7 @@ constexpr double line_length = 60.0;    // into the wall [points]
 // What the hand at a device is told to aim at: a target on the wall, and the line straight into the wall at it.
 void add_target(const View& view, Marks& marks) {
   if (!view.target) return;
-  const Vector<2> inwards = -wall_of(view.settings).normal;
+  const Vector<2> inwards = -wall_near(view.settings, *view.target).normal;
   const Vector<2> target = *view.target;
   const LinePattern dashes{view.points(7.0), view.points(4.0), view.points(7.0), view.points(4.0)};
   marks.push_back(
@@ -172,14 +172,15 @@ constexpr double proxy_ring = 13.0;
 // Thin rings where the closed form puts proxy and device at rest: the simulation has to come to them by itself.
 void add_predictions(const View& view, Marks& marks) {
   const StrategyId id = view.settings.active;
-  const Equilibrium<2> rest = equilibrium_of(id, view.settings, view.snapshot.goal);
+  const auto rest = rest_of(id, view.settings, view.snapshot.goal);
+  if (!rest) return;
   const Colour colour = view.theme.strategy[index_of(id)];
   const auto ring = [&](const Vector<2>& center, double radius) {
     marks.push_back({Role::prediction, id,
                      Marker{center, Shape::disc, view.points(radius), colour.with_alpha(0), colour, view.points(1.0)}});
   };
-  ring(rest.device, device_ring);
-  if (rest.in_contact) ring(rest.proxy, proxy_ring);
+  ring(rest->at.device, device_ring);
+  if (rest->at.in_contact) ring(rest->at.proxy, proxy_ring);
 }
 
 }  // namespace ghostforce

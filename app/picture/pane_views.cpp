@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/picture/camera.h"
-#include "core/equilibrium.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -26,10 +26,10 @@ double longest_force(const Settings& settings, const Snapshot& snapshot) {
     if (now.in_contact) longest = std::max(longest, glm::length(now.force));
   }
   if (longest > 0.0) return longest;
-  const Wall<2> wall = wall_of(settings);
-  const Vector<2> goal = projection(wall, snapshot.goal) - wall.normal * usual_depth;
+  const Vector<2> normal = wall_near(settings, snapshot.goal).normal;
+  const Vector<2> goal = foot_on_edge(settings, snapshot.goal) - normal * usual_depth;
   for (const Strategy& entry : strategy_catalog()) {
-    longest = std::max(longest, glm::length(equilibrium_of(entry.id, settings, goal).force));
+    if (const auto rest = rest_of(entry.id, settings, goal)) longest = std::max(longest, glm::length(rest->at.force));
   }
   constexpr double any = 1.0;  // where no force ever is [N]
   return longest > 0.0 ? longest : any;
@@ -41,12 +41,11 @@ PaneViews fitted_pane_views(const Settings& settings, const Snapshot& snapshot, 
                             double arrow_scale) noexcept {
   PaneViews views{
       .width = 0.0, .centers = {}, .share_per_newton = share_of_longest / longest_force(settings, snapshot)};
-  const Wall<2> wall = wall_of(settings);
-  const Vector<2> out = to_screen_direction(wall.normal) * (ruler_reach * unit);
+  const Vector<2> out = to_screen_direction(wall_near(settings, snapshot.goal).normal) * (ruler_reach * unit);
   PerStrategy<std::vector<FitPoint>> points;
   for (std::size_t i = 0; i < strategy_count; ++i) {
     const StrategySnapshot<2>& now = snapshot.strategies[i];
-    points[i] = {{snapshot.goal}, {now.device}, {projection(wall, snapshot.goal), out}};
+    points[i] = {{snapshot.goal}, {now.device}, {foot_on_edge(settings, snapshot.goal), out}};
     if (!now.in_contact) continue;
     points[i].push_back({now.proxy});
     points[i].push_back({now.contact, out});

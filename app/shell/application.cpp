@@ -169,7 +169,6 @@ void Application::use(const InputEntry& entry, std::shared_ptr<const Scene> scen
     session_.measured_k_u.reset();
     session_.goal = goal.value_or(session_.scene->goal.points.back());
     session_.shown = session_.scene->view;
-    if (is_general(session_.scene->settings)) session_.face = Face::stage;  // the workbench does not show it yet
     session_.stage_shown = stage_view_of(session_);
     session_.pane_views.reset();
     window_.set_title(window_title(*session_.scene));

@@ -192,12 +192,12 @@ Permission permit_kind(const Session& session, const ChangeViewOptions&) {
 }
 
 Permission permit_kind(const Session& session, const StartMeasuring&) {
+  if (const auto refusal = permit_paper(session)) return refusal;
   return permit_on_workbench(session);
 }
 
 // To be gone to; who is there may leave it.
 Permission permit_workbench(const Session& session) {
-  if (session.face == Face::stage && is_general(session.settings)) return not_with_this_device;
   return refuse_unless(session.has_room_for_workbench || session.face == Face::workbench, needs_wider_window);
 }
 
@@ -238,6 +238,7 @@ Permission permit_kind(const Session& session, const Redo&) {
 }
 
 Permission permit_kind(const Session& session, const SavePlots&) {
+  if (!is_over_time(session.plots.tab) && is_general(session.settings)) return not_with_this_device;
   return refuse_unless(!hides_curves(session), curves_are_hidden);
 }
 

@@ -10,7 +10,7 @@
 #include "app/state/user_measurement_guide.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/symbol_text.h"
-#include "core/prediction.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -23,16 +23,24 @@ constexpr double parallel = 0.02;  // sine of an angle that looks like none
 }  // namespace
 
 std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
-  const Wall<2> wall = wall_of(settings);
-  if (depth(wall, goal) <= 0.0) {
+  if (depth_in_wall(settings, goal) <= 0.0) {
     return "The goal is in front of the wall: there is nothing to push back. Drag it into the hatched side.";
   }
   const Strategy& active = strategy(settings.active);
-  if (!active.has_every_motor && std::abs(glm::dot(wall.normal, direction_at(settings.actuated_angle))) < parallel) {
+  const auto rest = rest_of(settings.active, settings, goal);
+  if (!rest) return "The handle runs away: it comes to rest nowhere under this goal. Press 3, or move the goal.";
+  const MotorReach motors = motor_reach(settings, rest->at.device);
+  const Vector<2> normal = wall_near(settings, rest->at.device).normal;
+  const bool is_along_wall = motors.is_one_line() && std::abs(glm::dot(normal, motors.directions[0])) < parallel;
+  if (!active.has_every_motor && is_along_wall) {
     return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
   }
-  const Vector<2> ghost = predicted_equilibria(settings, goal)[index_of(settings.active)].ghost_force;
-  return glm::length(ghost) < visible_force ? active.without_ghost : active.with_ghost;
+  const bool has_ghost = glm::length(rest->ghost_force) >= visible_force;
+  if (has_ghost && settings.general.mechanism == MechanismKind::strings) {
+    return "Strings only pull, but are rendered as if they could push, too: a ghost force drags the hand along the "
+           "wall.";
+  }
+  return has_ghost ? active.with_ghost : active.without_ghost;
 }
 
 namespace {

@@ -149,6 +149,10 @@ void draw_plots(const PanelContext& context, const History& history) {
     wrapped_text("These curves are hidden while the hand is measured: they would show the answer.");
     return;
   }
+  if (!is_over_time(view.tab) && is_general(context.session.settings)) {
+    wrapped_text(english_stage.refusals.not_with_this_device);
+    return;
+  }
   tabs[static_cast<std::size_t>(view.tab)].draw(context, history);
 }
 

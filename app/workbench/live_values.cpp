@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "app/picture/glossary.h"
 #include "app/picture/text.h"
@@ -10,6 +11,7 @@
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 #include "core/settings.h"
 
 namespace ghostforce {
@@ -79,12 +81,13 @@ void draw_row(const PanelContext& context, const Strategy& entry) {
   }
 }
 
-// How far the simulation is from rest as theory has it: the largest of the three [m].
+// How far the simulation is from rest as theory has it: the largest of the three [m]. Infinite where one has no rest.
 double model_error(const PanelContext& context) {
   double largest = 0.0;
   for (const Strategy& entry : strategy_catalog()) {
-    const Equilibrium<2> rest = equilibrium_of(entry.id, context.settings, context.snapshot.goal);
-    largest = std::max(largest, glm::distance(rest.device, context.snapshot.strategies[index_of(entry.id)].device));
+    const auto rest = rest_of(entry.id, context.settings, context.snapshot.goal);
+    if (!rest) return std::numeric_limits<double>::infinity();
+    largest = std::max(largest, glm::distance(rest->at.device, context.snapshot.strategies[index_of(entry.id)].device));
   }
   return largest;
 }
@@ -103,7 +106,8 @@ void draw_model_error(const PanelContext& context) {
   }
   ImGui::BeginGroup();
   ImGui::TextUnformatted("model − simulation ≤");
-  const std::string error = fmt::format("{:>8} mm", in_fixed_width(model_error(context) * mm_per_m, 3));
+  const double error_mm = model_error(context) * mm_per_m;
+  const std::string error = std::isinf(error_mm) ? "no rest" : fmt::format("{:>8} mm", in_fixed_width(error_mm, 3));
   same_line_if_room(context.fonts.number->CalcTextSizeA(ImGui::GetFontSize(), 1e9F, 0.0F, error.c_str()).x);
   text_in(context.fonts.number, error);
   ImGui::EndGroup();

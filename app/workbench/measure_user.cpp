@@ -171,6 +171,10 @@ void draw_result(const PanelContext& context) {
 }  // namespace
 
 void draw_measure_user(const PanelContext& context) {
+  if (is_general(context.session.settings)) {
+    wrapped_text(english_stage.refusals.not_with_this_device);
+    return;
+  }
   const UserMeasurement& measurement = context.session.measurement;
   switch (measurement.stage) {
     case UserMeasurement::Stage::off:

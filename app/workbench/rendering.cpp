@@ -6,6 +6,7 @@
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "app/workbench/ratio_dial.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -45,21 +46,32 @@ void draw_rendering(const PanelContext& context) {
   row("Constraint k_c", Term::constraint_stiffness);
   draw_constraint(stiffnesses, context.scale);
   if (stiffnesses != context.session.settings.stiffnesses) context.apply(ChangeStiffnesses{stiffnesses});
-  row("Ratio ρ", Term::tracking_ratio);
-  draw_ratio_dial(context);
+  if (!is_general(context.session.settings)) {
+    row("Ratio ρ", Term::tracking_ratio);
+    draw_ratio_dial(context);
+  }
   end_rows();
 }
 
 void draw_wall_and_device(const PanelContext& context) {
   const Settings& settings = context.session.settings;
-  if (!begin_rows("wall", context)) return;
-  row("Wall normal", Term::wall_normal);
-  double normal = settings.wall_normal_angle;
-  if (angle_slider("##normal", normal)) context.apply(TurnWallTo{normal});
-  row("Actuated direction", Term::motor_axis);
-  double actuated = settings.actuated_angle;
-  if (angle_slider("##actuated", actuated)) context.apply(TurnMotorTo{actuated});
-  end_rows();
+  const bool has_plane = settings.general.constraint == ConstraintKind::plane;
+  const bool has_axis = settings.general.mechanism == MechanismKind::axes;
+  if (begin_rows("wall", context)) {
+    if (has_plane) {
+      row("Wall normal", Term::wall_normal);
+      double normal = settings.wall_normal_angle;
+      if (angle_slider("##normal", normal)) context.apply(TurnWallTo{normal});
+    }
+    if (has_axis) {
+      row("Actuated direction", Term::motor_axis);
+      double actuated = settings.actuated_angle;
+      if (angle_slider("##actuated", actuated)) context.apply(TurnMotorTo{actuated});
+    }
+    end_rows();
+  }
+  if (has_joints(settings) && ImGui::Button("Motor to the other joint")) context.apply(SwitchMotor{});
+  if (!has_plane || !has_axis) wrapped_text("On the stage (F4), drag the walls, the base and the joints.");
 }
 
 }  // namespace ghostforce

@@ -11,6 +11,7 @@
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -32,7 +33,7 @@ constexpr double most_mm = 50.0;
 
 // Of a circle that is all in the picture, in steps of a tenth of a millimetre [m].
 double greatest_radius(const Session& session) {
-  const Wall<2> wall = wall_of(session.settings);
+  const Wall<2> wall = wall_near(session.settings, session.goal);
   // Whatever the window's shape, this part of the world is shown.
   const Vector<2> reach = 0.5 * session.shown.width * Vector<2>(1.0, 0.75);
   const auto fits = [&](double mm) {

@@ -13,7 +13,7 @@
 #include "app/workbench/panel_catalog.h"
 #include "core/belief.h"
 #include "core/conventions.h"
-#include "core/prediction.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -44,16 +44,15 @@ void draw_drift_of_belief(const PanelContext& context) {
     return;
   }
   const Vector<2> seen = context.snapshot.strategies[index_of(StrategyId::anisotropic)].proxy_drift;
-  const Vector<2> predicted =
-      predicted_equilibria(settings, context.snapshot.goal)[index_of(StrategyId::anisotropic)].proxy_drift;
+  const auto rest = rest_of(StrategyId::anisotropic, settings, context.snapshot.goal);
   text_in(context.fonts.number, millimetres(seen));
   tooltip("The simulated drift of the anisotropic strategy along the wall.");
-  if (hides_answer(context.session)) return;
+  if (hides_answer(context.session) || !rest) return;
   same_line_if_room(ImGui::CalcTextSize("theory").x + ImGui::GetItemRectSize().x + ImGui::GetStyle().ItemSpacing.x);
   ImGui::PushStyleColor(ImGuiCol_Text, unpacked(context.theme.faint_text));
   ImGui::TextUnformatted("theory");
   ImGui::SameLine();
-  text_in(context.fonts.number, millimetres(predicted));
+  text_in(context.fonts.number, millimetres(rest->proxy_drift));
   ImGui::PopStyleColor();
   tooltip("The drift at rest, from the closed form.");
 }

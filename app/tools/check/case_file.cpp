@@ -299,10 +299,7 @@ std::vector<CaseKey> keys_into(CaseReading& at) {
 
 void refuse_what_general_scenes_lack(CaseReading& at) {
   const PictureRequest& request = at.request;
-  if (!is_general(request.scene.settings)) return;
-  if (request.face == Face::workbench) {
-    at.reader.refuse(not_on_workbench, "give view = \"stage\"", at.reader.find("", "scene"));
-  } else if (permit(session_of(request.scene), ToggleMode{request.mode})) {
+  if (is_general(request.scene.settings) && permit(session_of(request.scene), ToggleMode{request.mode})) {
     at.reader.refuse("that mode does not show scenes of format 2 yet", "leave it out", at.reader.find("", "mode"));
   }
 }

@@ -163,14 +163,13 @@ TEST(GeneralCommands, SweepHasTheRestAndTheRuns) {
   EXPECT_EQ(run({"sweep", "arm", "--over", "rendering.tracking_ratio=1:4:2"}).exit_code, 2);
 }
 
-TEST(GeneralCommands, TheStageShowsThemAndTheWorkbenchSaysThatItDoesNot) {
+TEST(GeneralCommands, StageAndWorkbenchShowThem) {
   const TemporaryFolder folder;
   const std::string picture = folder.path() + "/arm.png";
-  const Outcome refused = run({"render", "arm", "--view", "workbench", "-o", picture});
-  EXPECT_EQ(refused.exit_code, 2) << refused.err;
-  EXPECT_NE(refused.err.find("the workbench does not show scenes of format 2 yet"), std::string::npos) << refused.err;
-  for (const std::vector<std::string>& scene :
-       {std::vector<std::string>{"arm"}, {"wall45", "--set", "user.k_u_second_N_per_m=50"}}) {
+  for (const std::vector<std::string>& scene : {std::vector<std::string>{"arm"},
+                                                {"wall45", "--set", "user.k_u_second_N_per_m=50"},
+                                                {"arm", "--view", "workbench"},
+                                                {"string", "--view", "workbench", "--part", "scene"}}) {
     std::vector<std::string> words{"render", "-o", picture};
     words.insert(words.end(), scene.begin(), scene.end());
     EXPECT_EQ(run(words).exit_code, 0);

@@ -185,16 +185,5 @@ TEST(GeneralScene, ReadsBackBitForBit) {
   EXPECT_GT(general, 400);
 }
 
-TEST(GeneralScene, TheWorkbenchShowsNoneYet) {
-  EXPECT_NO_THROW(refuse_on_workbench(load_scene("wall45"), "wall45"));
-  try {
-    refuse_on_workbench(load_scene("arm"), "arm");
-    ADD_FAILURE() << "the workbench does not show it";
-  } catch (const ReadError& error) {
-    EXPECT_EQ(std::string(error.what()),
-              "arm: the workbench does not show scenes of format 2 yet; look at it on the stage: --view stage");
-  }
-}
-
 }  // namespace
 }  // namespace ghostforce::general_scene_test

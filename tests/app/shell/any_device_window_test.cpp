@@ -18,6 +18,7 @@ constexpr std::array<const char*, 5> scenes{"arm", "pantograph", "string", "corn
 
 class AnyDeviceWindow : public DrivenWindow {
  protected:
+  AnyDeviceWindow() { open({.face = Face::stage}); }
   std::string_view refusal() { return session().notice ? std::string_view(session().notice->words) : ""; }
 };
 
@@ -62,7 +63,7 @@ TEST_F(AnyDeviceWindow, ModesWorkOrSayThatTheyDoNot) {
       frames(3);
     }
     const std::string_view words = english_stage.refusals.not_with_this_device;
-    std::vector refused{Action(ToggleMode{StageMode::measure}), Action(SwitchFace{}), Action(TurnRatio{1.05})};
+    std::vector refused{Action(ToggleMode{StageMode::measure}), Action(TurnRatio{1.05})};
     if (!has_joints(session().settings)) refused.emplace_back(ToggleMode{StageMode::landscape});
     for (const Action& action : refused) {
       act(action);
@@ -71,6 +72,41 @@ TEST_F(AnyDeviceWindow, ModesWorkOrSayThatTheyDoNot) {
       EXPECT_EQ(session().stage.mode, StageMode::none);
       session().notice.reset();
     }
+  }
+}
+
+TEST_F(AnyDeviceWindow, TheWorkbenchShowsThemAndTellsWhatItLacks) {
+  for (const char* const name : scenes) {
+    SCOPED_TRACE(name);
+    act(OpenScene{name});
+    frames(3);
+    act(ShowFace{Face::workbench});
+    frames(3);
+    ASSERT_EQ(session().face, Face::workbench);
+    drag(on_window(session().goal), on_window(session().goal) + Vector<2>(-40.0, 30.0));
+    frames(30, 100);
+    for (const StrategyId id : {StrategyId::full, StrategyId::naive, StrategyId::anisotropic}) {
+      act(ChooseStrategy{id});
+      frames(20, 100);
+      const auto rest = rest_of(id, session().settings, session().goal);
+      if (!rest) continue;
+      EXPECT_LT(glm::distance(now().strategies[index_of(id)].device, rest->at.device), 1e-4) << strategy(id).name;
+    }
+    EXPECT_FALSE(session().notice) << refusal();
+    for (const PlotTab tab : {PlotTab::time, PlotTab::wall_angle, PlotTab::ratio, PlotTab::hand}) {
+      PlotView plots = session().plots;
+      plots.is_open = true;
+      plots.tab = tab;
+      act(ChangePlots{plots});
+      frames(3);
+    }
+    act(StartMeasuring{});
+    EXPECT_EQ(refusal(), english_stage.refusals.not_with_this_device);
+    session().notice.reset();
+    EXPECT_EQ(session().measurement.stage, UserMeasurement::Stage::off);
+    act(ShowFace{Face::stage});
+    frames(3);
+    EXPECT_EQ(session().face, Face::stage);
   }
 }
 

@@ -26,7 +26,7 @@ class GesturesTest : public DrivenWindow {
     return in_window(dial().middle + 0.8 * dial().radius * Vector<2>(std::cos(angle), -std::sin(angle)));
   }
   Vector<2> wall_grip(std::size_t which) {
-    return in_window((*wall_grips(wall_of(session().settings), camera(), 1.0))[which]);
+    return in_window((*wall_grips(session().settings, camera(), 1.0))[which]);
   }
   // Where a point of the window lies in the world.
   Vector<2> world_at(const Vector<2>& in_window) const {

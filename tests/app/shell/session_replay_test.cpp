@@ -88,7 +88,7 @@ TEST_F(SessionReplayTest, ADragIsOneStepToTakeBack) {
   open_recorded(path_, {.face = Face::workbench});
   frames(3);
   const double before = session().settings.wall_normal_angle;
-  const auto grips = wall_grips(wall_of(session().settings), screen().panes()[0].camera, 1.0);
+  const auto grips = wall_grips(session().settings, screen().panes()[0].camera, 1.0);
   ASSERT_TRUE(grips);
   const Vector<2> grip = in_window((*grips)[0]);
   drag(grip, grip + Vector<2>(60.0, 60.0));
