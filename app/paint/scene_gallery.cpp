@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "app/files/scene_file.h"
+#include "app/files/shipped_scenes.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -61,23 +61,6 @@ Pane pane_at_rest(const Scene& scene, const Theme& theme, const Vector<2>& size,
 }
 
 }  // namespace
-
-const std::vector<ShippedScene>& shipped_scenes() {
-  static const std::vector<ShippedScene> scenes = [] {
-    std::vector<ShippedScene> list;
-    for (const std::string_view name : shipped_scene_names()) {
-      list.push_back({std::string(name), load_scene(std::string(name))});
-    }
-    // fig4-ratio5 comes before fig4-ratio10.
-    std::ranges::sort(list, {}, [](const ShippedScene& scene) {
-      const std::size_t digits = scene.name.find_last_not_of("0123456789") + 1;
-      const std::string number = scene.name.substr(digits);
-      return std::pair(scene.name.substr(0, digits), number.empty() ? 0 : std::stoi(number));
-    });
-    return list;
-  }();
-  return scenes;
-}
 
 unsigned int SceneGallery::picture(std::size_t number, const Theme& theme, int width, int height, double scale) {
   return pictures_.picture(number, shipped_scenes().size(), theme, width, height, [&](std::size_t each) {

@@ -33,14 +33,6 @@ class PictureGallery {
   std::vector<gl::Texture> pictures_;  // all of them, or none yet
 };
 
-struct ShippedScene {
-  std::string name;
-  Scene scene;
-};
-
-// By name, and where names end in numbers by these.
-const std::vector<ShippedScene>& shipped_scenes();
-
 // Each scene at rest at the end of its path.
 class SceneGallery {
  public:

@@ -122,6 +122,14 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
   const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
   const double padding = canvas.points(hover_padding);
+  const bool is_of_tool =
+      content.hovered && std::ranges::find(layout.tools, *content.hovered, &StageButton::action) != layout.tools.end();
+  if (is_of_tool) {
+    const ScreenBox tools = *layout.tools_box();
+    const Vector<2> corner(tools.most.x + canvas.points(8.0) + padding, tools.least.y + padding);
+    panel.box = ScreenBox{corner, corner + extent}.grown(padding);
+    return panel;
+  }
   const ScreenBox& above = layout.header_end();
   const double left = above.most.x - extent.x - 2.0 * padding;
   const bool is_beside_sentence = left > layout.sentence_box.most.x + padding;

@@ -267,7 +267,7 @@ class Arrangement {
       left = box.most.x + points(header_gap);
     };
     add(StageCommand::fit, words_.language.header.fit);
-    add(StageCommand::reset, words_.language.header.reset);
+    add(layout_.lesson ? StageCommand::reset : StageCommand::reset_all, words_.language.header.reset);
     // Elsewhere it stands at the end of the row below.
     if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
       add(StageCommand::link, filled(words_.language.buttons.link, words_.keys.link));
@@ -481,6 +481,7 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
   if (action == StageAction(StageCommand::menu)) return std::string(language.hovers.more);
   if (action == StageAction(StageCommand::fit)) return std::string(language.hovers.fit);
   if (action == StageAction(StageCommand::reset)) return std::string(language.hovers.reset);
+  if (action == StageAction(StageCommand::reset_all)) return std::string(language.hovers.reset_all);
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }

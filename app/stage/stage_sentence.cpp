@@ -176,6 +176,7 @@ std::string stage_sentence(const Settings& settings, const StageMoment& moment, 
 
 StageNumbers stage_numbers(const StageMoment& moment) noexcept {
   StageNumbers numbers{.force = glm::length(moment.wall_share + moment.ghost_force)};
+  if (!moment.has_rest) return numbers;  // a handle that runs away has none worth telling
   if (moment.knows_ghost_force) {
     numbers.wall_share = glm::length(moment.wall_share);
     numbers.ghost_force = signed_ghost_force(moment);

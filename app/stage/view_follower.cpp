@@ -50,11 +50,19 @@ SceneView fitting_view(const Session& session, const ViewFollower::Moment& momen
 }  // namespace
 
 // Nobody has asked for the view of a moment that is looked back at: once that is over, the one before is there again.
-void ViewFollower::follow_past(Session& session, const Moment& moment, const Vector<2>& there) {
-  if (is_in_sight(moment.picture, there)) return;
-  const bool is_measured = moment.frame.shown.snapshot.measured.has_value();
-  if (!is_measured && !view_before_past_) view_before_past_ = session.stage_shown;
-  session.stage_shown = stage_view_of(session.settings, std::array{session.goal, there}, reference_force_of(session));
+void ViewFollower::follow_past(Session& session, const Moment& moment) {
+  const ShownMoment& past = moment.frame.shown;
+  const double reference_force = reference_force_of(session);
+  const auto strokes = stage_strokes(past.settings, past.snapshot.goal, reference_force);
+  if (!is_covered(moment.picture, strokes, session.stage_shown.width)) return;
+  if (!view_before_past_) view_before_past_ = session.stage_shown;
+  session.stage_shown = stage_view_of(past.settings, std::array{past.snapshot.goal}, reference_force);
+}
+
+// A handle that somebody moves away takes the view along.
+void ViewFollower::follow_measured(Session& session, const Moment& moment, const Vector<2>& handle) {
+  if (is_in_sight(moment.picture, handle)) return;
+  session.stage_shown = stage_view_of(session.settings, std::array{session.goal, handle}, reference_force_of(session));
 }
 
 void ViewFollower::follow_subject(Session& session, const Moment& moment) {
@@ -109,18 +117,22 @@ void ViewFollower::follow(Session& session, const Moment& moment, double interva
   } else if (is_moved || is_other_scene || is_map) {
     // A workspace that a device was given by a drag is shown once that is over.
     const bool is_other_device = !moment.is_held && subject_.settings.general != session.settings.general;
-    if (is_map && has_joints(session.settings) && is_other_device) session.stage_shown = stage_view_of(session);
-    if (!moment.is_held) subject_.settings = session.settings;
+    if (is_map && has_joints(session.settings) && is_other_device) {
+      session.stage_shown = stage_view_of(session);
+      subject_.settings = session.settings;
+    }
     view_ = session.stage_shown;
     is_chosen_ = is_moved && !is_other_scene;
-    left_.clear();
+    if (is_moved || is_other_scene) {
+      subject_.settings = session.settings;
+      left_.clear();
+    }
   } else if ((frame.shown.is_past || !moment.is_held) && !moment.is_busy && !is_moving_) {
     const Snapshot& snapshot = frame.shown.snapshot;
-    // A handle that somebody moves away takes the view along, and so does a hand that was elsewhere.
     if (snapshot.measured) {
-      follow_past(session, moment, snapshot.strategies[index_of(*snapshot.measured)].device);
+      follow_measured(session, moment, snapshot.strategies[index_of(*snapshot.measured)].device);
     } else if (frame.shown.is_past) {
-      follow_past(session, moment, snapshot.goal);
+      follow_past(session, moment);
     } else {
       follow_subject(session, moment);
     }

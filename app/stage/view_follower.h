@@ -42,7 +42,8 @@ class ViewFollower {
     Subject subject;
     SceneView view;
   };
-  void follow_past(Session& session, const Moment& moment, const Vector<2>& there);
+  void follow_past(Session& session, const Moment& moment);
+  void follow_measured(Session& session, const Moment& moment, const Vector<2>& handle);
   void follow_subject(Session& session, const Moment& moment);
   void glide_to(const SceneView& wanted, double share);
 

@@ -46,7 +46,9 @@ struct WhyWords {
   std::string_view excess;
 };
 
-WhyWords words_for(StrategyId id, const ForceTriangle& forces, const StageLanguage& language) {
+WhyWords words_for(const Settings& settings, const ForceTriangle& forces, const StageLanguage& language) {
+  const StrategyId id = settings.active;
+  const bool has_strings = settings.general.mechanism == MechanismKind::strings;
   const StageLanguage::Sentences& sentences = language.sentences;
   const StageLanguage::Why& steps = language.why;
   const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
@@ -63,7 +65,7 @@ WhyWords words_for(StrategyId id, const ForceTriangle& forces, const StageLangua
   if (!has_ghost) {
     return {sentences.press_deeper, steps.missing, steps.hardly_any_excess};
   }
-  return {sentences.why_ghost, steps.missing, steps.excess};
+  return {has_strings ? sentences.why_strings : sentences.why_ghost, steps.missing, steps.excess};
 }
 
 // With every motor there is only the first.
@@ -78,7 +80,7 @@ std::string force_words(const StageContent& content, const Vector<2>& force) {
 }
 
 std::vector<std::string> words_of_steps(const StageContent& content, const ForceTriangle& forces) {
-  const WhyWords words = words_for(content.settings.active, forces, content.language);
+  const WhyWords words = words_for(content.settings, forces, content.language);
   const StageLanguage::Why& steps = content.language.why;
   const double ghost = glm::length(forces.ghost);
   return {with_number(content, steps.push, force_number(glm::length(forces.push)), "N"),
@@ -165,7 +167,7 @@ void add_why(const StageLayer& layer) {
                   .to = is_narrow ? thing.to : middle,
                   .clearance = canvas.points(14.0),
                   .direction = side,
-                  .may_cover = is_narrow},
+                  .may_cover = true},
                  colour);
   };
   say(1, StageLabel::hand, Role::force, {push_end, push_end}, out, theme.text, false);
@@ -182,7 +184,7 @@ std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
   if (!forces.has_rest) return std::string(content.language.sentences.no_rest);
   if (!forces.is_pushed) return std::string(content.language.sentences.why_needs_wall);
-  return std::string(words_for(content.settings.active, forces, content.language).sentence);
+  return std::string(words_for(content.settings, forces, content.language).sentence);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@
 #include "app/base/shell_word.h"
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
-#include "app/files/scene_file.h"
 #include "app/files/scene_keys.h"
+#include "app/files/shipped_scenes.h"
 #include "core/conventions.h"
 #include "core/strategy.h"
 
@@ -88,20 +88,14 @@ class SetUpTexts {
   std::vector<std::string> texts_;  // of scene_keys()
 };
 
-struct ShippedScene {
-  std::string_view name;
-  Scene scene;
-};
-
 // Of equally near ones the first is taken: the one with this title, then the default, then the first by name.
-std::vector<ShippedScene> shipped_scenes(std::string_view title) {
-  std::vector<ShippedScene> scenes;
-  for (const std::string_view name : shipped_scene_names()) scenes.push_back({name, load_scene(std::string(name))});
-  const auto rank = [title](const ShippedScene& shipped) {
-    if (shipped.scene.title == title) return 0;
-    return shipped.name == default_scene_name ? 1 : 2;
-  };
-  std::ranges::stable_sort(scenes, {}, rank);
+std::vector<const ShippedScene*> shipped_scenes_by_rank(std::string_view title) {
+  std::vector<const ShippedScene*> scenes;
+  for (const ShippedScene& shipped : shipped_scenes()) scenes.push_back(&shipped);
+  std::ranges::sort(scenes, {}, [title](const ShippedScene* shipped) {
+    const int rank = shipped->scene.title == title ? 0 : shipped->name == default_scene_name ? 1 : 2;
+    return std::pair(rank, std::string_view(shipped->name));
+  });
   return scenes;
 }
 
@@ -250,10 +244,10 @@ std::string set_up_line(const SetUp& set_up) {
   const SetUpTexts texts(set_up);
   std::string_view nearest;
   std::optional<std::vector<std::string>> fewest;
-  for (const auto& [name, scene] : shipped_scenes(set_up.scene.title)) {
-    auto words = texts.words_after(scene);
+  for (const ShippedScene* const shipped : shipped_scenes_by_rank(set_up.scene.title)) {
+    auto words = texts.words_after(shipped->scene);
     if (!words || (fewest && fewest->size() <= words->size())) continue;
-    nearest = name;
+    nearest = shipped->name;
     fewest = std::move(words);
   }
   std::string line = fmt::format("ghostforce run {}", nearest);

@@ -28,6 +28,7 @@ enum class StageCommand : std::uint8_t {
   full_screen,
   fit,
   reset,
+  reset_all,
   motors,
   lessons,
   previous,

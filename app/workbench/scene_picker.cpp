@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/files/file_exchange.h"
+#include "app/files/shipped_scenes.h"
 #include "app/state/key_bindings.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/picture_card.h"

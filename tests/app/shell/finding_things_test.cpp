@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <imgui_internal.h>
 
+#include "app/files/shipped_scenes.h"
 #include "app/picture/glossary.h"
 #include "app/shell/preferences.h"
 #include "app/state/live_table.h"

@@ -292,7 +292,7 @@ TEST(AnyDeviceStage, SaysWhatEachDeviceDoes) {
 TEST(AnyDeviceStage, TellsTheTorqueOfTheGhostForce) {
   const StagePicture picture = case_of("arm", StrategyId::naive).compose();
   const auto labels = forms<Label>(picture, Role::number);
-  EXPECT_TRUE(std::ranges::any_of(labels, [](const Label& label) { return label.text == "ghost force = 0.22 N·m"; }));
+  EXPECT_TRUE(std::ranges::any_of(labels, [](const Label& label) { return label.text == "ghost force (0.22 N·m)"; }));
 }
 
 // What the way between two strategies has at its ends, and nothing that is no number on it.

@@ -102,7 +102,8 @@ inline std::vector<std::string> faults_of(const StageCase& shown, const Drawn& d
     }
     if (label.role == Role::sentence || drawn.is_in_ribbon(label.box) || drawn.has_panel(label.box)) continue;
     for (const Extent& extent : drawn.extents.marks) {
-      const bool may_cover = label.role == Role::number || label.role == Role::hint;
+      // A step of Why? that were left out would break its story.
+      const bool may_cover = label.role == Role::number || label.role == Role::hint || shown.mode == StageMode::why;
       if (may_cover && is_soft(extent)) continue;
       const double reach = reach_into(ink_of(label), extent);
       if (reach > rounding) {

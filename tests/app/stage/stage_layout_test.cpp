@@ -97,8 +97,8 @@ TEST_P(StageLayoutTest, HasButtonsForFingersOnAPhone) {
         }
       }
       for (const StageAction& action :
-           std::array<StageAction, 6>{StageCommand::fit, StageCommand::reset, StageCommand::menu, StageCommand::lessons,
-                                      StrategyId::naive, StrategyId::anisotropic}) {
+           std::array<StageAction, 6>{StageCommand::fit, StageCommand::reset_all, StageCommand::menu,
+                                      StageCommand::lessons, StrategyId::naive, StrategyId::anisotropic}) {
         EXPECT_TRUE(there.contains(action)) << size.x << "x" << size.y;
       }
       for (const std::string& fault : faults_of(shown, drawn))
