@@ -64,8 +64,9 @@ TEST(BrokenText, HasAsFewLinesAsItCanAndThenTheNarrowest) {
     EXPECT_EQ(line_count(words, width, {}, measure_letters), lines.size()) << words << " in " << width;
     if (lines.size() == 1) continue;
     const double widest = widest_of(lines);
-    const bool is_one_word = std::ranges::any_of(
-        lines, [&](const std::string& line) { return widest_of({line}) == widest && line.find(' ') == std::string::npos; });
+    const bool is_one_word = std::ranges::any_of(lines, [&](const std::string& line) {
+      return widest_of({line}) == widest && line.find(' ') == std::string::npos;
+    });
     EXPECT_TRUE(widest <= width || is_one_word) << words << " in " << width;
     EXPECT_TRUE(is_one_word || line_count(words, widest - 1.0, {}, measure_letters) > lines.size())
         << words << " in " << width << " could be narrower";

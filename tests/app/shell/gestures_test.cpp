@@ -25,9 +25,7 @@ class GesturesTest : public DrivenWindow {
   Vector<2> dial_head(double angle) const {
     return in_window(dial().middle + 0.8 * dial().radius * Vector<2>(std::cos(angle), -std::sin(angle)));
   }
-  Vector<2> wall_grip(std::size_t which) {
-    return in_window((*wall_grips(session().settings, camera(), 1.0))[which]);
-  }
+  Vector<2> wall_grip(std::size_t which) { return in_window((*wall_grips(session().settings, camera(), 1.0))[which]); }
   // Where a point of the window lies in the world.
   Vector<2> world_at(const Vector<2>& in_window) const {
     const Vector<2> corner{static_cast<double>(screen().scene_corner().x),
