@@ -1,4 +1,4 @@
-// The words beside the things of the stage, the most important first.
+// The words beside the things of the stage, the most important first, and those on buttons and in the menu.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/stage/stage_layers.h"
+#include "app/stage/stage_layout.h"
 #include "app/stage/stage_scene.h"
 
 namespace ghostforce {
@@ -261,6 +262,37 @@ void add_stage_words(const StageLayer& layer) {
   add_expectation_words(layer);
   add_motor_words(layer);
   add_wall_words(layer);
+}
+
+std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys) {
+  if (const auto* const mode = std::get_if<StageMode>(&action)) {
+    const auto entry = std::ranges::find(stage_mode_catalog(), *mode, &StageModeEntry::id);
+    const StageLanguage::Mode& words = language.modes.*entry->words;
+    return fmt::format("{} ({}): {}", words.title, entry->key, words.about);
+  }
+  if (action == StageAction(StageCommand::lessons)) return filled(language.hovers.lessons, keys.lessons);
+  if (action == StageAction(StageCommand::menu)) return std::string(language.hovers.more);
+  if (action == StageAction(StageCommand::fit)) return std::string(language.hovers.fit);
+  if (action == StageAction(StageCommand::reset)) return std::string(language.hovers.reset);
+  if (action == StageAction(StageCommand::reset_all)) return std::string(language.hovers.reset_all);
+  if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
+  return {};
+}
+
+std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys) {
+  std::vector<StageMenuRow> rows;
+  for (const StageModeEntry& mode : stage_mode_catalog()) {
+    const StageLanguage::Mode& words = language.modes.*mode.words;
+    if (mode.is_in_menu) rows.push_back({mode.id, words.title, mode.key, words.about});
+  }
+  const StageLanguage::MenuRows& all = language.menu_rows;
+  rows.push_back({Face::workbench, all.workbench.title, "F4", all.workbench.about});
+  rows.push_back({StageCommand::palette, all.actions.title, "Ctrl+P", all.actions.about});
+  if (!keys.full_screen.empty()) {
+    rows.push_back({StageCommand::full_screen, all.full_screen.title, keys.full_screen, all.full_screen.about});
+  }
+  rows.push_back({StageCommand::keys, all.keys.title, keys.help, all.keys.about});
+  return rows;
 }
 
 }  // namespace ghostforce
