@@ -142,7 +142,7 @@ def main():
     address = server.address(PAGE.name)
     for face, key in (("stage", None), ("workbench", "F4")):
         script, servo = script_of_frames(address, key)
-        row(f"{face}: script per frame", script["median"], "ms", 4.0)
+        row(f"{face}: script per frame", script["median"], "ms", 3.0)
         row(f"{face}: the same, 95th percentile", script["p95"], "ms")
         row(f"{face}: of it the servo's ticks", servo["median"], "ms")
     for frames in (60, 30, 10):
