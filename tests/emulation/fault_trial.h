@@ -39,7 +39,8 @@ struct FaultOutcome {
   std::string words() const;  // what the program says
 };
 
-// Tries until a fault meets motors that push: they may go off before, because the machine has other things to do.
+// Tries until a fault meets motors that push: they may go off before, because the machine has other things to do. What
+// breaks the promise while the machine was late is tried again. Throws MachineTooBusy where trying is in vain.
 // `patience`: for a force to end. `busy_processes` run beside the program from when it pushes; the fault may ask for more.
 FaultOutcome try_fault(TestBed& bed, const Fault& fault, std::chrono::milliseconds patience, int busy_processes = 0);
 
