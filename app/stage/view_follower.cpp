@@ -41,23 +41,25 @@ Vector<2> active_handle(const Session& session, const StageFrame& frame) {
   return frame.shown.snapshot.strategies[index_of(session.settings.active)].device;
 }
 
+std::vector<StageStroke> strokes_of(const Session& session, const ShownMoment& shown) {
+  const double reference_force = reference_force_of(session);
+  if (shown.is_past) return stage_strokes(shown.settings, shown.snapshot.goal, reference_force);
+  auto strokes = stage_strokes(settings_now(session), session.goal, reference_force);
+  if (session.stage.guess) strokes.push_back(guess_stroke(*session.stage.guess));
+  return strokes;
+}
+
 SceneView fitting_view(const Session& session, const ViewFollower::Moment& moment) {
+  const ShownMoment& shown = moment.frame.shown;
+  if (shown.is_past) {
+    return stage_view_of(shown.settings, std::array{shown.snapshot.goal}, reference_force_of(session));
+  }
   if (moment.has_rest || session.stage.mode == StageMode::landscape) return stage_view_of(session);
   const std::array places{session.goal, active_handle(session, moment.frame)};
   return stage_view_of(session.settings, places, reference_force_of(session));
 }
 
 }  // namespace
-
-// Nobody has asked for the view of a moment that is looked back at: once that is over, the one before is there again.
-void ViewFollower::follow_past(Session& session, const Moment& moment) {
-  const ShownMoment& past = moment.frame.shown;
-  const double reference_force = reference_force_of(session);
-  const auto strokes = stage_strokes(past.settings, past.snapshot.goal, reference_force);
-  if (!is_covered(moment.picture, strokes, session.stage_shown.width)) return;
-  if (!view_before_past_) view_before_past_ = session.stage_shown;
-  session.stage_shown = stage_view_of(past.settings, std::array{past.snapshot.goal}, reference_force);
-}
 
 // A handle that somebody moves away takes the view along.
 void ViewFollower::follow_measured(Session& session, const Moment& moment, const Vector<2>& handle) {
@@ -66,15 +68,19 @@ void ViewFollower::follow_measured(Session& session, const Moment& moment, const
 }
 
 void ViewFollower::follow_subject(Session& session, const Moment& moment) {
-  const Subject before =
-      std::exchange(subject_, {session.settings, session.goal, session.stage.guess, moment.picture.scene.most});
-  if (subject_ == before || !session.pointer_moves_goal) {
-    const bool runs_away = !moment.has_rest && !is_in_sight(moment.picture, active_handle(session, moment.frame));
+  const ShownMoment& shown = moment.frame.shown;
+  const Vector<2> room = moment.picture.scene.most;
+  const Subject before = std::exchange(
+      subject_, shown.is_past ? Subject{shown.settings, shown.snapshot.goal, std::nullopt, room, true}
+                              : Subject{session.settings, session.goal, session.stage.guess, room, false});
+  if (subject_ == before || !(session.pointer_moves_goal || subject_.is_past || before.is_past)) {
+    const bool runs_away =
+        !subject_.is_past && !moment.has_rest && !is_in_sight(moment.picture, active_handle(session, moment.frame));
     if (runs_away) session.stage_shown = fitting_view(session, moment);
     return;
   }
-  const bool has_only_other_room =
-      subject_.settings == before.settings && subject_.goal == before.goal && subject_.guess == before.guess;
+  const bool has_only_other_room = subject_.settings == before.settings && subject_.goal == before.goal &&
+                                   subject_.guess == before.guess && subject_.is_past == before.is_past;
   if (is_chosen_ && has_only_other_room) return;
   is_chosen_ = false;
   const auto same = std::ranges::find(left_ | std::views::reverse, subject_, &Left::subject);
@@ -83,13 +89,14 @@ void ViewFollower::follow_subject(Session& session, const Moment& moment) {
     left_.erase(std::prev(same.base()), left_.end());
     return;
   }
-  auto strokes = stage_strokes(settings_now(session), session.goal, reference_force_of(session));
-  if (session.stage.guess) strokes.push_back(guess_stroke(*session.stage.guess));
-  if (!is_covered(moment.picture, strokes, session.stage_shown.width)) return;
-  constexpr std::size_t most_left = 64;
-  if (left_.size() == most_left) left_.erase(left_.begin());
-  left_.push_back({before, session.stage_shown});
-  session.stage_shown = fitting_view(session, moment);
+  const bool must_leave = is_covered(moment.picture, strokes_of(session, shown), session.stage_shown.width);
+  // Whoever has looked back finds the present as it was.
+  if (!before.is_past && (must_leave || subject_.is_past)) {
+    constexpr std::size_t most_left = 64;
+    if (left_.size() == most_left) left_.erase(left_.begin());
+    left_.push_back({before, session.stage_shown});
+  }
+  if (must_leave) session.stage_shown = fitting_view(session, moment);
 }
 
 void ViewFollower::glide_to(const SceneView& wanted, double share) {
@@ -106,10 +113,6 @@ void ViewFollower::follow(Session& session, const Moment& moment, double interva
   const bool is_other_scene = std::exchange(scene_, session.scene) != session.scene;
   const bool is_map = session.stage.mode == StageMode::landscape;
   const bool is_moved = session.stage_shown != wanted_;
-  if (session.fits_view || is_other_scene || is_moved) view_before_past_.reset();
-  if (view_before_past_ && !frame.shown.is_past && !moment.is_held) {
-    session.stage_shown = wanted_ = *std::exchange(view_before_past_, std::nullopt);
-  }
   if (std::exchange(session.fits_view, false)) {
     session.stage_shown = fitting_view(session, moment);
     is_chosen_ = false;
@@ -131,8 +134,6 @@ void ViewFollower::follow(Session& session, const Moment& moment, double interva
     const Snapshot& snapshot = frame.shown.snapshot;
     if (snapshot.measured) {
       follow_measured(session, moment, snapshot.strategies[index_of(*snapshot.measured)].device);
-    } else if (frame.shown.is_past) {
-      follow_past(session, moment);
     } else {
       follow_subject(session, moment);
     }

@@ -34,7 +34,8 @@ class ViewFollower {
     Settings settings{};
     Vector<2> goal{0.0};
     std::optional<Vector<2>> guess{};
-    Vector<2> room{0.0};  // the scene ends there, at the right and above what is below it [points]
+    Vector<2> room{0.0};   // the scene ends there, at the right and above what is below it [points]
+    bool is_past = false;  // somebody looks back at a moment
 
     friend bool operator==(const Subject&, const Subject&) = default;
   };
@@ -42,7 +43,6 @@ class ViewFollower {
     Subject subject;
     SceneView view;
   };
-  void follow_past(Session& session, const Moment& moment);
   void follow_measured(Session& session, const Moment& moment, const Vector<2>& handle);
   void follow_subject(Session& session, const Moment& moment);
   void glide_to(const SceneView& wanted, double share);
@@ -53,8 +53,7 @@ class ViewFollower {
   bool is_moving_ = false;
   bool is_chosen_ = false;    // a person has moved it, and nothing else since
   Subject subject_{};         // of the view, or found in sight with it
-  std::vector<Left> left_{};  // views that were left because something was covered, the last at the end
-  std::optional<SceneView> view_before_past_;  // before it went to a moment of the past; empty: it did not
+  std::vector<Left> left_{};  // views that were left because something was covered or past, the last at the end
 };
 
 }  // namespace ghostforce

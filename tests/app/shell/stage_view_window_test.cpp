@@ -186,5 +186,25 @@ TEST_F(StageViewWindow, StaysWhereAPersonHasMovedIt) {
   EXPECT_EQ(covered_by_frame(Drawn(picture())), "");
 }
 
+TEST_F(StageViewWindow, StaysWhereAPersonHasMovedItWhileLookingBack) {
+  session().goal = {0.06, 0.05};
+  frames(60);
+  const double elsewhere_s = now().time_s;
+  session().goal = wall45_goal;
+  frames(200);
+  const double near_s = now().time_s;
+  press(key::h);
+  session().stage.looks_back_to_s = near_s - 0.05;
+  frames(120);
+  drag({640.0, 300.0}, {200.0, 200.0}, GLFW_MOUSE_BUTTON_RIGHT);
+  const SceneView moved = session().stage_shown;
+  frames(120);
+  EXPECT_EQ(session().stage_shown, moved) << "though something may be covered";
+  session().stage.looks_back_to_s = elsewhere_s;
+  frames(120);
+  EXPECT_NE(session().stage_shown, moved) << "the hand was elsewhere, out of sight";
+  EXPECT_TRUE(contains(picture().scene, on_window({0.06, 0.05})));
+}
+
 }  // namespace
 }  // namespace ghostforce::stage_view_window_test
