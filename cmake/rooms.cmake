@@ -1,11 +1,12 @@
-# ghostforce_add_room([SEPARATE] [COLD] [SOURCES file...] [DESKTOP file...] [PAGE file...])
+# ghostforce_add_room([SEPARATE] [COLD | EACH_FRAME] [SOURCES file...] [DESKTOP file...] [PAGE file...])
 #
 # One folder as one CMake library, named after it: app/workbench is app_workbench. What it links is its line of rooms.txt,
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
 # reads the same lines: links hand on, and what is inline needs none.
 #
 # Its sources are one batch (batches.cmake). SEPARATE: each is compiled by itself in every preset. COLD: where no frame
-# and no tick spends time worth measuring, it is optimised less and compiled a third faster.
+# and no tick spends time worth measuring, it is optimised less and compiled a third faster. EACH_FRAME: most of the
+# page's script runs through it, which is optimised for speed there; the rest of the page is optimised for size.
 #
 # The program has two fronts, a desktop and a page in a browser. DESKTOP sources are compiled for the one only, PAGE
 # sources for the other. Where both stand behind one header, x.h, the desktop's is x.cpp and the page's is x_page.cpp.
@@ -78,7 +79,7 @@ function(room_links folder result)
 endfunction()
 
 function(ghostforce_add_room)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE;COLD" "" "SOURCES;DESKTOP;PAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE;COLD;EACH_FRAME" "" "SOURCES;DESKTOP;PAGE")
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   room_library(${folder} name)
   room_links(${folder} links)
@@ -101,5 +102,8 @@ function(ghostforce_add_room)
   target_link_libraries(${name} PUBLIC ${links} project_options PRIVATE project_warnings batch_warnings)
   if(arg_COLD)
     target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+  if(arg_EACH_FRAME)
+    target_compile_options(${name} PRIVATE $<$<CONFIG:MinSizeRel>:-O2>)
   endif()
 endfunction()

@@ -1,9 +1,10 @@
-// One quad per mark, just large enough for it and its anti-aliased edge.
+// One quad per mark, just large enough for it and its anti-aliased edge; of a half-plane one per part.
 
 layout(location = 0) in vec4 ends;     // from.xy, to.xy [px], y down, from the viewport's upper left corner
 layout(location = 1) in vec4 form;     // kind, radius or half width [px], rim width [px], start of the pattern [px]
 layout(location = 2) in vec4 pattern;  // of a line: drawn, left out, drawn, left out; of an arrow: 1 without head, and
                                        // from stripe to stripe, 0 for none; of a box: half its width and height [px]
+                                       // of a half-plane: upper left corner and size of the part to draw [px]
 layout(location = 3) in vec4 fill;
 layout(location = 4) in vec4 rim;
 
@@ -28,7 +29,7 @@ void main() {
   vec2 position;
   if (form.x == half_plane) {
     // Its frame: start is a point of the edge, zw the normal; only the distance from the edge matters.
-    position = corner * viewport;
+    position = pattern.xy + corner * pattern.zw;
     extent = 0.0;
     at = vec2(dot(position - start, ends.zw), 0.0);
   } else if (form.x == box) {

@@ -1,5 +1,7 @@
 #include "app/paint/gl_painter.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -42,6 +44,7 @@ struct GlPainter::Collect {
   std::vector<Instance>& out;
   const Camera& camera;
   double density;
+  PixelTile everything;  // of the viewport
 
   Vector<2> pixels(const Vector<2>& world, const Vector<2>& offset = Vector<2>(0.0)) const {
     return (to_screen(camera, world) + offset) * density;
@@ -57,10 +60,13 @@ struct GlPainter::Collect {
          rim});
   }
 
-  void operator()(const HalfPlane& form) const {
-    add(pixels(form.point), to_screen_direction(form.normal), half_plane_kind, 0.0, 0.0, 0.0, solid_line, form.fill,
-        form.fill);
+  void add_part(const HalfPlane& form, const PixelTile& part) const {
+    const Vector<2> normal = to_screen_direction(form.normal);
+    add(pixels(form.point), normal, half_plane_kind, 0.0, 0.0, 0.0, {}, form.fill, form.fill);
+    const std::array values{part.left, part.top, part.width, part.height};
+    std::ranges::transform(values, out.back().pattern, [](int pixels) { return static_cast<float>(pixels); });
   }
+  void operator()(const HalfPlane& form) const { add_part(form, everything); }
   void operator()(const Line& form) const {
     add(pixels(form.from), pixels(form.to), line_kind, 0.5 * form.width, 0.0,
         form.pattern_start * camera.points_per_metre * density, form.pattern, form.colour, form.colour);
@@ -108,12 +114,14 @@ void GlPainter::use_shaders(std::string_view vertex_source, std::string_view fra
   program_ = std::move(program);
 }
 
-void GlPainter::fill(Colour colour, const PixelRect& rect) {
+void GlPainter::fill(Colour colour, std::span<const PixelRect> rects) {
   const auto share = [](std::uint8_t channel) { return static_cast<float>(channel) / 255.0F; };
   glEnable(GL_SCISSOR_TEST);
-  glScissor(rect.x, rect.y, rect.width, rect.height);
   glClearColor(share(colour.red), share(colour.green), share(colour.blue), 1.0F);
-  glClear(GL_COLOR_BUFFER_BIT);
+  for (const PixelRect& rect : rects) {
+    glScissor(rect.x, rect.y, rect.width, rect.height);
+    glClear(GL_COLOR_BUFFER_BIT);
+  }
   glDisable(GL_SCISSOR_TEST);
 }
 
@@ -125,7 +133,7 @@ void GlPainter::paint_marks(const Pane& pane, const PixelRect& rect, double pixe
   glEnable(GL_BLEND);
   glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
   const Vector<2> viewport{rect.width, rect.height};
-  const Collect collect{collected_, pane.camera, pixels_per_point};
+  const Collect collect{collected_, pane.camera, pixels_per_point, {0, 0, rect.width, rect.height}};
   for (const Mark& mark : pane.marks) {
     if (const auto* area = std::get_if<Area>(&mark.form)) {
       paint_instances(rect);
@@ -153,15 +161,15 @@ void GlPainter::paint_half_plane(const HalfPlane& form, const Collect& collect, 
   const auto in_framebuffer = [&rect](const PixelTile& tile) {
     return PixelRect{rect.x + tile.left, rect.y + rect.height - tile.top - tile.height, tile.width, tile.height};
   };
-  for (const PixelTile& tile : tiles.whole) fill(form.fill, in_framebuffer(tile));
-  std::vector<PixelRect> edge;
-  for (const PixelTile& tile : tiles.edge) edge.push_back(in_framebuffer(tile));
-  collect(form);
+  std::vector<PixelRect> whole;
+  for (const PixelTile& tile : tiles.whole) whole.push_back(in_framebuffer(tile));
+  fill(form.fill, whole);
   glEnable(GL_SCISSOR_TEST);
-  paint_instances(rect, edge);
+  glScissor(rect.x, rect.y, rect.width, rect.height);
+  for (const PixelTile& tile : tiles.edge) collect.add_part(form, tile);
 }
 
-void GlPainter::paint_instances(const PixelRect& rect, std::span<const PixelRect> parts) {
+void GlPainter::paint_instances(const PixelRect& rect) {
   if (collected_.empty()) return;
   glUseProgram(program_.name());
   glUniform2f(viewport_uniform_, static_cast<float>(rect.width), static_cast<float>(rect.height));
@@ -169,11 +177,7 @@ void GlPainter::paint_instances(const PixelRect& rect, std::span<const PixelRect
   glBindBuffer(GL_ARRAY_BUFFER, instances_.name());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(collected_.size() * sizeof(Instance)), collected_.data(),
                GL_STREAM_DRAW);
-  for (const PixelRect& part : parts) {
-    glScissor(part.x, part.y, part.width, part.height);
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
-  }
-  glScissor(rect.x, rect.y, rect.width, rect.height);
+  glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(collected_.size()));
   glBindVertexArray(0);
   collected_.clear();
 }
@@ -192,7 +196,8 @@ void GlPainter::paint_without_words(const std::vector<Pane>& panes, const Theme&
                                     int pixel_width, int pixel_height) {
   const bool has_gaps = panes.size() > 1;
   // Between panes the target shows through.
-  fill(has_gaps ? theme.panel_border : theme.background, {0, 0, pixel_width, pixel_height});
+  const PixelRect target{0, 0, pixel_width, pixel_height};
+  fill(has_gaps ? theme.panel_border : theme.background, {&target, 1});
   const auto pixels = [density](double points) { return static_cast<int>(std::lround(points * density)); };
   for (const Pane& pane : panes) {
     const Vector<2> at = Vector<2>(static_cast<double>(corner.x), static_cast<double>(corner.y)) + pane.corner;
@@ -201,7 +206,7 @@ void GlPainter::paint_without_words(const std::vector<Pane>& panes, const Theme&
     const int right = pixels(at.x + pane.camera.size.x);
     const int bottom = pixels(at.y + pane.camera.size.y);
     const PixelRect rect{left, pixel_height - bottom, right - left, bottom - top};
-    if (has_gaps) fill(theme.background, rect);
+    if (has_gaps) fill(theme.background, {&rect, 1});
     paint_marks(pane, rect, density);
   }
 }
@@ -222,7 +227,7 @@ gl::Texture GlPainter::texture_of(const Pane& pane, const Theme& theme) {
   const gl::Framebuffer framebuffer;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture.name(), 0);
-  fill(theme.background, rect);
+  fill(theme.background, {&rect, 1});
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // opaque it stays: blending would leave less than that in it
   paint_marks(pane, rect, 1.0);
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

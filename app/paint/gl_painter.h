@@ -79,11 +79,10 @@ class GlPainter {
     int x, y, width, height;
   };
 
-  static void fill(Colour colour, const PixelRect& rect);
+  static void fill(Colour colour, std::span<const PixelRect> rects);
   void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
   // Those that are collected; of the viewport `rect` only `parts`.
-  void paint_instances(const PixelRect& rect) { paint_instances(rect, {&rect, 1}); }
-  void paint_instances(const PixelRect& rect, std::span<const PixelRect> parts);
+  void paint_instances(const PixelRect& rect);
   // One that nothing shines through.
   void paint_half_plane(const HalfPlane& form, const Collect& collect, const PixelRect& rect);
 
