@@ -38,7 +38,8 @@ install(FILES ${desktop}/ghostforce.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}
 install(FILES ${desktop}/ghostforce.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
 install(FILES ${desktop}/org.ghostforce.ghostforce.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${desktop}/ghostforce-mime.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages RENAME ghostforce.xml)
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY_NOTICES.md ${PROJECT_SOURCE_DIR}/README.md
-  DESTINATION ${CMAKE_INSTALL_DOCDIR})
+foreach(page LICENSE THIRD_PARTY_NOTICES.md README.md ARCHITECTURE.md CONTRIBUTING.md)
+  install(FILES ${PROJECT_SOURCE_DIR}/${page} DESTINATION ${CMAKE_INSTALL_DOCDIR})
+endforeach()
 # The guides that messages of the program name, as in docs/falcon.md.
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})

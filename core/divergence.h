@@ -14,7 +14,7 @@
 namespace ghostforce {
 
 // No device is farther away than this [m]; a scene lies within a metre.
-inline constexpr double farthest_device_m = 1000.0;
+inline constexpr double farthest_device_m = 10.0;
 
 // No run is longer: a year and a half at the highest rate, far from where the number of a tick would overflow.
 inline constexpr std::int64_t last_tick_ever = 1'000'000'000'000;

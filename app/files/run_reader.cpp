@@ -29,7 +29,8 @@ constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // A scene's path may stand on one line and have a hundred thousand waypoints; what has a longer line is no run.
 constexpr std::size_t longest_line = std::size_t{1} << 24;
-constexpr std::size_t most_values = 256;  // in a row
+constexpr std::size_t most_values = 256;      // in a row
+constexpr std::size_t longest_change = 4096;  // all changes are read again with each that is no number
 
 // A tick's time may be this far off, in ticks: programs that wrote it out again may have rounded it.
 constexpr double time_tolerance = 0.01;
@@ -261,6 +262,7 @@ class RunReader {
     const std::string_view name = rest.substr(0, rest.find('='));
     const SceneKey* const key = find_scene_key(name);
     if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is not a setting", quoted_text(name)));
+    if (rest.size() > longest_change) damaged("the change is longer than one can be");
     overrides_.insert_or_assign(std::string(name), std::string(rest));
     if (change_number(*key, rest.substr(std::min(name.size() + 1, rest.size())))) {
       settings_ = changed_.settings;

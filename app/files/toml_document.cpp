@@ -245,7 +245,7 @@ bool TomlValue::read_numbers(std::span<double> into, const NumberLimits& limits,
   const auto there = count(remedy);
   if (there && *there != into.size()) refuse(fmt::format("is an array of {}", *there), remedy);
   bool is_good = there == into.size();
-  for (std::size_t i = 0; there == into.size() && i < into.size(); ++i) {
+  for (std::size_t i = 0; is_good && i < into.size(); ++i) {
     const TomlValue value = (*this)[i];
     if (limits.whole && node_at(value.node_).is_floating_point()) {
       value.refuse("has a decimal point or an exponent", "give whole numbers");

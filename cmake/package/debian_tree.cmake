@@ -13,6 +13,9 @@ execute_process(
   COMMAND ${python} ${here}/copyright.py ${doc}/LICENSE ${doc}/THIRD_PARTY_NOTICES.md
   OUTPUT_FILE ${doc}/copyright COMMAND_ERROR_IS_FATAL ANY)
 file(REMOVE ${doc}/LICENSE ${doc}/THIRD_PARTY_NOTICES.md)
+file(READ ${doc}/README.md text)
+string(REGEX REPLACE "\\]\\((LICENSE|THIRD_PARTY_NOTICES\\.md)\\)" "](copyright)" text "${text}")
+file(WRITE ${doc}/README.md "${text}")
 
 execute_process(
   COMMAND ${python} ${here}/changelog.py ${CPACK_GHOSTFORCE_SOURCE_DIR}/CHANGELOG.md ${CPACK_DEBIAN_PACKAGE_MAINTAINER}

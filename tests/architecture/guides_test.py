@@ -16,9 +16,10 @@ LINK = re.compile(r"\]\(([^)\s]+)\)")
 # In a block of code at the beginning of a line, elsewhere between backticks; what follows a comment is none of it.
 BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 WORDS = r"(?:\./demo|ghostforce)((?: [^\s`|#>]+)+)"
-CALL_IN_BLOCK = re.compile("^" + WORDS, re.MULTILINE)
+CALL_IN_BLOCK = re.compile(r"^ *(?:\$ )?(?:build/release/bin/)?" + WORDS, re.MULTILINE)
 CALL_IN_TEXT = re.compile("`" + WORDS)
 OPTION = re.compile(r"--[a-z][a-z-]*")
+SCRIPT = re.compile(r"^ *(?:\$ )?(?:bash )?(\.?/?[\w./-]+)", re.MULTILINE)
 
 
 def name_of(page):
@@ -69,6 +70,19 @@ class Guides(unittest.TestCase):
         for guide in GUIDES:
             if guide.name != "README.md":
                 self.assertIn(guide.name, listed)
+
+    def test_scripts_are_there(self):
+        found = set()
+        for page in PAGES:
+            for block in BLOCK.findall(page.read_text(encoding="utf-8")):
+                for word in SCRIPT.findall(block):
+                    if not re.match(r"\./|\.ci/|tests/|bench/.*\.py", word):
+                        continue
+                    found.add(word)
+                    with self.subTest(page=name_of(page), script=word):
+                        made = "./ghostforce" in word  # what a package brings
+                        self.assertTrue(made or (ROOT / word).exists())
+        self.assertLessEqual({"./demo", "./check"}, found)
 
     def test_the_readme_is_short(self):
         self.assertLessEqual(len((ROOT / "README.md").read_text(encoding="utf-8").split()), 900)

@@ -85,6 +85,10 @@ unpack /opt/ghostforce
 as_visitor "$program" simulate wall45 -o run.csv
 as_visitor "$program" render wall45 -o x.png
 as_visitor test -s x.png
+as_visitor mkdir cases
+as_visitor sh -c 'printf "scene = \"wall45\"\nsize = [320, 240]\n" >cases/a.toml'
+as_visitor "$program" check cases --update a
+as_visitor "$program" check cases
 # What it says of the display that it cannot find is its own, not the loader's.
 words=$(as_visitor "$program" run 2>&1) && fail "run has found a display."
 grep "there is no display to open a window on" <<<"$words" || fail "run says: $words"

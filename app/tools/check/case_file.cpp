@@ -119,16 +119,17 @@ std::vector<PixelBox> read_mask(const TomlValue& mask, int width, int height) {
     const auto [x, y, box_width, box_height] = *numbers;
     if (box_width == 0.0 || box_height == 0.0) {
       mask[i].refuse("a rectangle has no pixels", "give a width and a height of 1 or more");
-    } else if (x + box_width > width || y + box_height > height) {
+      return {};
+    }
+    if (x + box_width > width || y + box_height > height) {
       mask[i].refuse(fmt::format("the rectangle [{}, {}, {}, {}] reaches beyond the picture, which has {}x{} pixels", x,
                                  y, box_width, box_height, width, height),
                      "give one within it");
-    } else {
-      boxes.push_back(
-          {static_cast<int>(x), static_cast<int>(y), static_cast<int>(box_width), static_cast<int>(box_height)});
+      return {};
     }
+    boxes.push_back(
+        {static_cast<int>(x), static_cast<int>(y), static_cast<int>(box_width), static_cast<int>(box_height)});
   }
-  if (boxes.size() < count) return {};
   if (Mask(width, height, boxes).count() == std::int64_t{width} * height) {
     mask.refuse("covers the whole picture, and nothing is left to compare", "leave some of it out");
   }

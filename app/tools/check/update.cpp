@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -45,6 +46,7 @@ bool leads_out(const std::filesystem::path& path) {
 // have any file overwritten.
 void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
   std::vector<std::string> problems;
+  std::map<std::filesystem::path, std::string> targets;  // and by which path each was reached
   for (const Case* const each : chosen) {
     const std::string golden = each->golden_path();
     if (const std::string_view kind = kind_instead_of_file(golden); !kind.empty()) {
@@ -58,6 +60,12 @@ void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
                                      quoted_text(golden, longest_path)));
     }
     for (const std::string& path : {golden, each->path}) {
+      const auto [same, is_new] = targets.try_emplace(std::filesystem::weakly_canonical(path, unknown), path);
+      if (!is_new) {
+        problems.push_back(
+            fmt::format("{} cannot be written: it is a link to the same file as {}; replace it with a file",
+                        quoted_text(path, longest_path), quoted_text(same->second, longest_path)));
+      }
       if (!leads_out(path)) continue;
       problems.push_back(fmt::format(
           "{} cannot be written: it is a link that leads out of its folder; replace it with the file itself",

@@ -118,7 +118,7 @@ TEST_F(OwnInputs, AreNotReachedByLinksInAFolderForOutputs) {
   EXPECT_FALSE(fs::exists(folder_ / "figure-1.csv"));
 }
 
-// Its cases and their goldens are read, and nothing else.
+// Not the scenes that its cases show: what a shell adds to one of those is the shell's doing.
 TEST_F(OwnInputs, OfACheckAreItsCasesAndGoldens) {
   fs::create_directory(folder_ / "cases");
   write_whole(folder_ / "cases/a.toml", "scene = \"wall45\"\nsize = [320, 240]\n");
@@ -158,6 +158,18 @@ TEST_F(OwnInputs, TwoOutputsAreTwoFiles) {
   write_whole(folder_ / "both.png", "old");
   expect_both_refused("render wall45 -o both.png --json here/both.png");
   EXPECT_EQ(read_whole(folder_ / "both.png"), "old");
+}
+
+TEST_F(OwnInputs, TwoGoldensAreTwoFiles) {
+  fs::create_directory(folder_ / "cases");
+  write_whole(folder_ / "cases/a.toml", "scene = \"wall45\"\nsize = [320, 240]\n");
+  write_whole(folder_ / "cases/b.toml", "scene = \"fig1\"\nsize = [320, 240]\n");
+  fs::create_symlink("a.png", folder_ / "cases/b.png");
+  const Outcome outcome = in_folder("check cases --update a b");
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
+  EXPECT_NE(outcome.err.find("b.png cannot be written: it is a link to the same file as"), std::string::npos)
+      << outcome.err;
+  EXPECT_FALSE(fs::exists(folder_ / "cases/a.png"));
 }
 
 // What is no file, or another one, is no input.

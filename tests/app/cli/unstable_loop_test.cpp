@@ -70,6 +70,11 @@ TEST_F(UnstableLoop, EndsSimulateAfterWholeFiniteRows) {
   }
 }
 
+// Far out already, though each of its numbers can still be read.
+TEST_F(UnstableLoop, EndsSimulateSoon) {
+  expect_refused(run({"simulate", "wall45", "--strategy", "naive", "--set", "goal.duration_s=1.1"}, too_slow));
+}
+
 TEST_F(UnstableLoop, LeavesNoFile) {
   expect_refused(run({"simulate", "wall45", "--strategy", "naive", "-o", folder_ / "run.csv"}, too_slow));
   EXPECT_EQ(folder_.count(), 0);

@@ -224,6 +224,7 @@ std::string words_of_refusal(const std::string& text) {
 
 TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
   const std::string text = recording();
+  const std::string long_change = "rendering.k_r_N_per_m=" + std::string(5000, ' ') + "812.5";
   struct Case {
     std::string_view what;
     std::string_view by;
@@ -259,6 +260,7 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
            Case{"rendering.k_r_N_per_m=", "rendering.k_x=", "'rendering.k_x' is not a setting"},
            Case{"rendering.k_r_N_per_m=", "title=", "'title' is not a setting"},
            Case{"rendering.k_r_N_per_m=812.5", "rendering.k_r_N_per_m=-1", "rendering.k_r_N_per_m"},
+           Case{"rendering.k_r_N_per_m=812.5", long_change, "the change is longer than one can be"},
            Case{"=0.005 full=0.1", "=0.005 full=nan", "the state from which the run continues cannot be read"},
            Case{"# dropped 12", "# dropped -1", "the number of lost samples cannot be read"},
            Case{"\n# interrupted", "\n# interupted", "the comment '# interupted' is not understood"},

@@ -151,5 +151,14 @@ TEST(CheckMask, IsRefusedWhereItIsWrong) {
   EXPECT_FALSE(contains(outcome.err, "none.toml"));
 }
 
+TEST(CheckMask, IsRefusedInOneLine) {
+  for (const std::string mask : {R"([["a", "b", "c", "d"]])", "[[-1, -1, -1, -1]]", "[[0, 0, 0, 0], [0, 0, 0, 0]]"}) {
+    const Cases cases({{"a", with_mask(mask)}});
+    const Outcome outcome = cases.check();
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce::check_mask_test
