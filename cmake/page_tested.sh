@@ -11,7 +11,7 @@ made_of_page() {
     cd "$root"
     {
       find app assets cmake core device shaders tests/web -name __pycache__ -prune -o -type f -print0
-      printf '%s\0' CMakeLists.txt CMakePresets.json LICENSE THIRD_PARTY_NOTICES.md check docs/web.md web
+      printf '%s\0' CMakeLists.txt CMakePresets.json LICENSE THIRD_PARTY_NOTICES.md check docs/web.md docs/course-page.html web
     } | LC_ALL=C sort --zero-terminated | xargs -0 sha256sum
     packages_of build run page web
     # shellcheck disable=SC2046  # a word each

@@ -3,15 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <exception>
-#include <optional>
 #include <vector>
 
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/shell/application.h"
 #include "app/state/lesson_file.h"
-#include "app/state/permit.h"
-#include "app/state/stage_language.h"
+#include "app/state/palette_catalog.h"
 
 namespace ghostforce {
 namespace {
@@ -47,9 +45,7 @@ const std::array action_table{
 };
 
 std::string page_refusal_of(Application& application, const Action& action) {
-  const Session& session = application.session();
-  const std::optional<Refusal> refusal = permit(session, action);
-  return refusal ? std::string(stage_language(session.language).refusals.*refusal->words) : std::string();
+  return palette_refusal(application.session(), application.reading(), action);
 }
 
 std::string act_unless_refused(Application& application, const Action& action) {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <optional>
 #include <set>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -24,7 +26,7 @@ namespace {
 // What an address can ask for. `read` throws ReadError.
 struct Wish {
   std::string_view name;
-  std::string_view value;  // what has to stand behind its =, for who left it out; empty: nothing
+  std::string_view value;  // what has to stand behind its =, for who left it out; empty: nothing, or 1
   std::function<void(std::string value, PageAddress& address)> read;
 };
 
@@ -36,19 +38,80 @@ std::string read_wanted_language(std::string value) {
   return std::string(code);
 }
 
-// As browsers write the origin of a page: without a path, and without the port that its scheme has anyway.
-std::string read_embedder(std::string value) {
-  constexpr std::array<std::string_view, 2> schemes{"https://", "http://"};
-  const auto scheme = std::ranges::find_if(schemes, [&](std::string_view each) { return value.starts_with(each); });
-  const auto is_of_host = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') ||
-           std::string_view(".-:[]").find(c) != std::string_view::npos;
+bool is_digit(char c) noexcept {
+  return c >= '0' && c <= '9';
+}
+
+// As a browser writes it: without zeros before it.
+template <typename Number, typename... Base>
+std::optional<Number> plain_number_in(std::string_view text, Base... base) {
+  return text.starts_with('0') && text.size() > 1 ? std::nullopt : number_in<Number>(text, base...);
+}
+
+// A name, or four numbers.
+bool is_named_host(std::string_view host) {
+  std::vector<std::string_view> labels;
+  while (!host.empty()) labels.push_back(take_until(host, '.'));
+  const auto is_label = [](std::string_view label) {
+    return !label.empty() && std::ranges::all_of(label, [](char c) {
+      return (c >= 'a' && c <= 'z') || is_digit(c) || c == '-' || c == '_';
+    });
   };
-  const bool is_origin = scheme != schemes.end() && value.size() > scheme->size() &&
-                         std::ranges::all_of(std::string_view(value).substr(scheme->size()), is_of_host);
-  if (!is_origin) {
+  if (labels.empty() || !std::ranges::all_of(labels, is_label)) return false;
+  if (!is_digit(labels.back().front())) return true;
+  const auto is_byte = [](std::string_view label) { return plain_number_in<std::uint8_t>(label).has_value(); };
+  return labels.size() == 4 && std::ranges::all_of(labels, is_byte);
+}
+
+// How many groups of up to four hexadecimal digits, with colons between them; -1: something else.
+int groups_of(std::string_view text) {
+  constexpr int hexadecimal = 16;
+  if (text.ends_with(':')) return -1;
+  int count = 0;
+  for (; !text.empty(); ++count) {
+    const std::string_view group = take_until(text, ':');
+    if (!plain_number_in<std::uint16_t>(group, hexadecimal)) return -1;
+  }
+  return count;
+}
+
+// Without its brackets.
+bool is_ipv6(std::string_view host) {
+  const std::size_t gap = host.find("::");
+  if (gap == std::string_view::npos) return groups_of(host) == 8;
+  const int before = groups_of(host.substr(0, gap));
+  const int after = groups_of(host.substr(gap + 2));
+  return before >= 0 && after >= 0 && before + after < 8;
+}
+
+// As browsers write the origin of a page: without a path, and without the port that its scheme has anyway. To anything
+// else a browser sends no message, or throws.
+bool is_origin(std::string_view value) {
+  struct Scheme {
+    std::string_view words;
+    std::uint16_t port;
+  };
+  constexpr std::array schemes{Scheme{"https://", 443}, Scheme{"http://", 80}};
+  const auto* const scheme =
+      std::ranges::find_if(schemes, [&](const Scheme& each) { return value.starts_with(each.words); });
+  const auto is_capital = [](char c) { return c >= 'A' && c <= 'Z'; };
+  if (scheme == schemes.end() || std::ranges::any_of(value, is_capital)) return false;
+  value.remove_prefix(scheme->words.size());
+  const std::size_t end = value.starts_with('[') ? std::min(value.find(']'), value.size() - 1) + 1 : value.find(':');
+  const std::string_view host = value.substr(0, end);
+  const bool has_brackets = host.starts_with('[') && host.ends_with(']') && host.size() > 2;
+  if (!(has_brackets ? is_ipv6(host.substr(1, host.size() - 2)) : is_named_host(host))) return false;
+  if (host.size() == value.size()) return true;
+  if (value[host.size()] != ':') return false;
+  const auto port = plain_number_in<std::uint16_t>(value.substr(host.size() + 1));
+  return port && *port != 0 && *port != scheme->port;
+}
+
+std::string read_embedder(std::string value) {
+  if (!is_origin(value)) {
     refuse_part(
-        fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org",
+        fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
+                    "and a port where it is not the usual one",
                     quoted_text(value)));
   }
   return value;
@@ -85,6 +148,9 @@ void read_wish(std::string_view written, std::set<std::string>& read, PageAddres
   }
   if (!read.insert(name).second) refuse_part(fmt::format("{} is there twice; the first one counts", name));
   if (value.empty() && !wish->value.empty()) refuse_part(fmt::format("{} has no value; give {}", name, wish->value));
+  if (wish->value.empty() && !value.empty() && value != "1") {
+    refuse_part(fmt::format("{} takes no value but 1; leave it out where it is not wanted", name));
+  }
   if (const auto unshowable = unshowable_in(value, false))
     refuse_part(fmt::format("there is {} in {}", *unshowable, name));
   wish->read(value, address);

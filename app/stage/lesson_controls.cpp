@@ -9,6 +9,7 @@
 
 #include "app/picture/text.h"
 #include "app/stage/control_pieces.h"
+#include "app/state/kiosk_visit.h"
 #include "app/state/lesson_file.h"
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_progress.h"
@@ -101,7 +102,9 @@ StageControl lesson_control(const ControlSource& source) {
     parts.push_back(button_control(source, "lesson-leave", leave, LeaveLesson{}));
   }
   if (!lesson.other_language.empty()) {
-    parts.push_back(button_control(source, "lesson-language", lesson.other_language, NextLanguage{}));
+    StageControl button = button_control(source, "lesson-language", lesson.other_language, NextLanguage{});
+    button.language = next_language(source.session);
+    parts.push_back(std::move(button));
   }
   return group_control("lesson", Kind::group, lesson.title, std::move(parts));
 }

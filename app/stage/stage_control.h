@@ -31,11 +31,12 @@ struct StageControl {
 
   std::string id;
   StageControlKind kind = StageControlKind::text;
-  std::string words;      // its name, or the text
-  std::string about{};    // more words; of a range, its value with the unit, which is all that is told of it
-  std::string refusal{};  // why it cannot be used now; empty: it can
-  bool is_on = false;     // a toggle, a choice
-  double value = 0.0;     // of a range, as are those below
+  std::string words;       // its name, or the text
+  std::string about{};     // more words; of a range, its value with the unit, which is all that is told of it
+  std::string refusal{};   // why it cannot be used now; empty: it can
+  std::string language{};  // code of that of its words; empty: that of all
+  bool is_on = false;      // a toggle, a choice
+  double value = 0.0;      // of a range, as are those below
   double least = 0.0;
   double greatest = 1.0;
   double step = 1.0;  // of an arrow key

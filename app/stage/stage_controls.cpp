@@ -338,14 +338,22 @@ void SettledTexts::settle(std::vector<StageControl>& controls, bool is_later, Te
     const auto found = texts_.find(each.id);
     return each.kind != Kind::told || found == texts_.end() || found->second.seen == each.words;
   };
-  const bool have_settled = is_later && std::ranges::all_of(controls, has_settled);
+  const auto has_waited = [&](const StageControl& each) {
+    const auto found = texts_.find(each.id);
+    return each.kind == Kind::told && found != texts_.end() && found->second.unsettled_looks >= most_unsettled_looks;
+  };
+  const bool are_told =
+      is_later && (std::ranges::all_of(controls, has_settled) || std::ranges::any_of(controls, has_waited));
   for (StageControl& each : controls) {
     settle(each.parts, is_later, settled);
     if (each.kind != Kind::told) continue;
     const auto found = texts_.find(each.id);
-    Text text = found == texts_.end() ? Text{each.words, each.words} : found->second;
-    if (have_settled) text.told = each.words;
-    if (is_later) text.seen = each.words;
+    Text text = found == texts_.end() ? Text{.seen = each.words, .told = each.words} : found->second;
+    if (are_told) text.told = each.words;
+    if (is_later) {
+      text.seen = each.words;
+      text.unsettled_looks = are_told ? 0 : text.unsettled_looks + 1;
+    }
     each.words = text.told;
     settled.emplace(each.id, std::move(text));
   }

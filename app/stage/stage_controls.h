@@ -23,7 +23,7 @@ std::vector<StageControl> stage_controls(const Session& session, const LoopReadi
 const StageControl* find_control(std::span<const StageControl> controls, std::string_view id) noexcept;
 
 // Keeps back the texts that are told while they change: those that stand together become what they are together, once
-// two looks have found them all the same.
+// two looks have found them all the same. Of what goes on changing, the newest is told now and then.
 class SettledTexts {
  public:
   // `is_later`: enough time has passed since the look before for something that changes to have changed, and nothing is
@@ -31,9 +31,12 @@ class SettledTexts {
   void settle(std::vector<StageControl>& controls, bool is_later);
 
  private:
+  static constexpr int most_unsettled_looks = 7;  // the next one tells
+
   struct Text {
     std::string seen;
     std::string told;
+    int unsettled_looks = 0;  // since it was told
   };
   using Texts = std::map<std::string, Text, std::less<>>;  // by id
 

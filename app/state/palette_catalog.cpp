@@ -250,6 +250,10 @@ ActionGroup action_group_of(std::string_view key_group) noexcept {
   return found == rows.end() ? ActionGroup::window : found->second;
 }
 
+std::string palette_refusal(const Session& session, const LoopReading& loop, const Action& action) {
+  return refusal_of({session, loop, stage_language(session.language)}, action);
+}
+
 std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop) {
   Entries entries{{session, loop, stage_language(session.language)}};
   add_motors(entries);

@@ -36,6 +36,9 @@ struct PaletteEntry {
 // Of this front, as things are.
 std::vector<PaletteEntry> palette_catalog(const Session& session, const LoopReading& loop);
 
+// Why that cannot be done as things are, or would change nothing: a sentence; empty: it can be done.
+std::string palette_refusal(const Session& session, const LoopReading& loop, const Action& action);
+
 // The numbers of the entries in which what somebody has typed is found. Each word must occur, in small or large
 // letters, with or without accents. The best match comes first, what can be done before what cannot, and then as in the
 // catalog; without words, all. Any thread.

@@ -182,6 +182,15 @@ class Controls(ControlsTest):
         )
         self.assertLessEqual(most, 25)
 
+    def test_say_again_why_they_cannot_be_used(self):
+        self.open()
+        self.wait_for_control("actions")
+        self.listen()
+        told = lambda: len([each for each in self.heard() if self.text("notice") in each])
+        for count in (1, 2):
+            self.browser.script("document.querySelector('#control-actions [aria-disabled]').click()")
+            wait_for(lambda: self.text("notice") and told() == count, f"the refusal told {count} times")
+
     def test_keys_in_them_are_not_the_programs(self):
         browser = self.open()
         before = browser.state()
@@ -390,15 +399,22 @@ class Axe(ControlsTest):
         for theme in ("light", "dark", "projector"):
             browser.script("document.activeElement.blur()")
             browser.wait(lambda state: state["ready"], "the page")
-            while browser.state()["theme"] != theme:
-                before = browser.state()["theme"]
-                browser.press("C")
-                browser.wait(lambda state: state["theme"] != before, "another theme")
-            self.focus("strategy-naive")
             colour = "return getComputedStyle(document.documentElement).getPropertyValue('--background')"
-            wait_for(lambda: browser.script(colour), "the theme's colours")
+            while browser.state()["theme"] != theme:
+                before = browser.script(colour)
+                browser.press("C")
+                wait_for(lambda: browser.script(colour) != before, "another theme's colours")
+            self.focus("strategy-naive")
             browser.next_frame()
             self.expect_none(theme)
+
+    def test_finds_no_barrier_in_spanish_nor_in_the_dialog_of_the_link(self):
+        browser = self.open(query="?language=es")
+        self.wait_for_control("actions")
+        self.expect_none("the stage in Spanish")
+        browser.press("U")
+        wait_for(lambda: browser.script("return document.getElementById('link').open"), "the link")
+        self.expect_none("the link")
 
     def test_finds_no_barrier_in_a_lesson(self):
         self.open(query="?lesson=ghost")

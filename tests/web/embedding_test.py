@@ -90,6 +90,38 @@ class Embedded(PageTest):
                 self.assertFalse(answer["done"])
                 self.assertIn(words, answer["why"])
 
+    def test_answers_whatever_becomes_of_it(self):
+        self.embed(self.origin_of(self.outer))
+        self.told("ready")
+        for request, why in (
+            ({"ask": "act", "action": "undo"}, "undo"),
+            ({"ask": "show", "set_up": "x" * 2_000_000}, "longer than 20000 characters"),
+        ):
+            with self.subTest(ask=request["ask"]):
+                answer = self.ask(**request)
+                self.assertFalse(answer["done"])
+                self.assertIn(why, answer["why"])
+        self.browser.driver.switch_to.frame(self.browser.driver.find_element("id", "frame"))
+        self.browser.script("window.ghostforce.act = () => { throw new Error('broken'); }")
+        self.browser.driver.switch_to.default_content()
+        answer = self.ask(ask="act", action="full")
+        self.assertEqual((answer["done"], answer["why"]), (False, "broken"))
+
+    def test_gives_the_keys_back_at_escape(self):
+        self.embed(self.origin_of(self.outer))
+        self.told("ready")
+        browser = self.browser
+        browser.script("document.getElementById('frame').focus()")
+        browser.driver.switch_to.frame(browser.driver.find_element("id", "frame"))
+        browser.script("document.getElementById('stage').focus()")
+        browser.press("3")
+        browser.wait_until(strategy="anisotropic")
+        focused = "return document.activeElement.id"
+        wait_for(lambda: browser.press("Escape") or browser.script(focused) == "", "a canvas without the focus")
+        browser.press("2")
+        browser.next_frame()
+        self.assertEqual(browser.state()["strategy"], "anisotropic")
+
     def test_tells_how_a_lesson_goes(self):
         self.embed(self.origin_of(self.outer))
         self.told("ready")

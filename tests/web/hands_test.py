@@ -2,7 +2,7 @@
 import math
 import unittest
 
-from browser import DEVICE_STATUS, HEIGHT, HELP, LESSONS, PLOTS, WIDTH, PageTest
+from browser import DEVICE_STATUS, HEIGHT, HELP, LESSONS, PLOTS, WIDTH, PageTest, wait_for
 from model import Rest, ghost_force
 
 
@@ -74,6 +74,21 @@ class Keys(PageTest):
             browser.wait_until(dialog=dialog)
             browser.press("Escape")
             browser.wait_until(dialog="none")
+
+    def test_are_given_back_by_escape_until_the_canvas_has_the_focus_again(self):
+        browser = self.open()
+        focused = "return document.activeElement.id"
+        wait_for(lambda: browser.press("Escape") or browser.script(focused) == "", "a canvas without the focus")
+        before = browser.state()
+        for key in ("3", "Space", "Right"):
+            browser.press(key)
+        browser.next_frame()
+        after = browser.state()
+        for key in ("strategy", "paused", "goal_m"):
+            self.assertEqual(after[key], before[key], key)
+        browser.script("document.getElementById('stage').focus()")
+        browser.press("3")
+        browser.wait_until(strategy="anisotropic")
 
     def test_none_is_lost_however_fast(self):
         browser = self.open()

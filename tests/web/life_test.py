@@ -49,6 +49,9 @@ class Context(PageTest):
             "document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
         )
         browser.wait(lambda _: "taken the graphics away" in browser.body_text(), "words about the graphics")
+        nodes = browser.command("Accessibility.getFullAXTree")["nodes"]
+        dialog = next(each for each in nodes if each.get("role", {}).get("value") == "alertdialog")
+        self.assertIn("what you have set up is in its address", dialog["name"]["value"])
         browser.driver.find_element("css selector", "#way-back button").click()
         again = browser.wait(
             lambda now: now["ready"] and now["context_losses"] == 0 and now["renderer"], "the page loaded again"
@@ -56,6 +59,13 @@ class Context(PageTest):
         for key in ("strategy", "set_up", "theme"):
             self.assertEqual(again[key], state[key], key)
         self.assertNotIn("taken the graphics away", browser.body_text())
+
+    def test_that_stays_away_in_a_lesson_says_that_it_begins_anew(self):
+        browser = self.open(query="?lesson=ghost")
+        browser.script(
+            "document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
+        )
+        browser.wait(lambda _: "the lesson has to begin anew" in browser.body_text(), "words about the lesson")
 
     def test_that_comes_back_late_takes_the_words_away(self):
         browser = self.open()

@@ -80,6 +80,19 @@ class SetUp(PageTest):
 
         browser.wait(copied, "the set-up in the clipboard")
 
+    def test_of_the_link_says_whether_it_is_copied(self):
+        browser = self.open()
+        browser.press("U")
+        browser.wait(lambda _: browser.script("return document.getElementById('link').open"), "the link")
+        copy = "return document.getElementById('copy').textContent"
+        for is_copied, words in (("false", "Not copied: press Ctrl+C"), ("true", "Copied")):
+            browser.script(
+                f"""Object.defineProperty(navigator, "clipboard", {{ value: undefined, configurable: true }});
+                   document.execCommand = () => {is_copied};
+                   document.getElementById("copy").click();"""
+            )
+            browser.wait(lambda _, words=words: browser.script(copy) == words, f"the words {words}")
+
 
 class Address(PageTest):
     def test_begins_a_lesson(self):
@@ -100,6 +113,10 @@ class Address(PageTest):
             ("?lessons=ghost", "did you mean 'lesson'?"),
             ("?lesson=", "lesson has no value"),
             ("?embed=*", "not the origin of a page"),
+            ("?embed=http://[", "not the origin of a page"),
+            ("?fit=banana", "fit takes no value but 1"),
+            ("?notices=no", "notices takes no value but 1"),
+            ("?lesson=ghost#broken", "is not used: the lesson comes before it"),
         ):
             with self.subTest(query=query):
                 state = self.open(query=query).wait(lambda state: state["notice"], "words about the address")
@@ -132,6 +149,8 @@ class Address(PageTest):
         for key in ("face", "mode", "dialog", "paused"):
             self.assertEqual(after[key], state[key], key)
         self.assertEqual(after["lesson"]["name"], state["lesson"]["name"])
+        language = "return document.getElementById('control-lesson-language')?.lang"
+        browser.wait(lambda _: browser.script(language) == "es", "the button Español, in its own language")
 
     def test_makes_a_kiosk_of_one_lesson(self):
         browser = self.open(query="?kiosk&lesson=ghost")

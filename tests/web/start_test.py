@@ -68,6 +68,7 @@ class Words(PageTest):
         for file in ("LICENSE", "THIRD_PARTY_NOTICES.md"):
             self.assertIn((ROOT / file).read_text(encoding="utf-8").strip(), words)
         self.assertIsNone(browser.state())
+        self.assertEqual(browser.script("return document.getElementById('reading').lang"), "en")
 
     def test_about_the_state_name_each_of_its_keys(self):
         state = self.open(query="?lesson=ghost").state()
@@ -94,6 +95,14 @@ class WithoutWebGL2(PageTest):
 
     def test_says_it_in_the_language_of_the_browser(self):
         self.assertIn("navegador", self.start_without(language="es"))
+
+    def test_says_it_to_a_new_person_in_the_language_of_the_browser(self):
+        self.start_without()
+        self.browser.script("localStorage.setItem('ghostforce:preferences.toml', 'language = \"es\"')")
+        language = "return document.documentElement.lang"
+        for query, wanted in (("", "es"), ("?reset", "en")):
+            self.browser.driver.get(self.address(query))
+            self.assertEqual(self.browser.script(language), wanted, query)
 
 
 if __name__ == "__main__":

@@ -73,7 +73,7 @@ EM_JS(bool, take_pasted, (), {
 EM_JS(bool, may_fill_screen, (), { return document.fullscreenEnabled ?? false; })
 EM_JS(void, switch_full_screen, (), {
   const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
-  done?.catch(() => {});
+  done?.catch((error) => console.warn("The browser does not change to or from full screen: " + error.message));
 })
 EM_JS(bool, fills_screen, (), { return document.fullscreenElement !== null; })
 EM_JS(void, listen_to_document, (), {
@@ -86,13 +86,18 @@ EM_JS(void, listen_to_document, (), {
   const stage = document.getElementById("stage");
   stage.addEventListener("contextmenu", (event) => event.preventDefault());
   stage.addEventListener("touchstart", () => stage.focus());
+  stage.addEventListener("focus", () => Module["hasGivenKeysBack"] = false);
 })
 EM_JS(void, set_unsaved, (bool has_unsaved), { Module["hasUnsaved"] = has_unsaved; })
 EM_JS(void, write_controls, (const char* json), { Module["showControls"](JSON.parse(UTF8ToString(json))); })
 EM_JS(bool, is_canvas_focused, (), { return document.activeElement === Module["canvas"]; })
 EM_JS(bool, is_nothing_focused, (), { return document.activeElement === document.body; })
 EM_JS(bool, is_within_another_page, (), { return window.top !== window.self; })
-EM_JS(void, blur_canvas, (), { Module["canvas"].blur(); })
+EM_JS(bool, has_given_keys_back, (), { return Module["hasGivenKeysBack"] ?? false; })
+EM_JS(void, blur_canvas, (), {
+  Module["canvas"].blur();
+  Module["hasGivenKeysBack"] = true;
+})
 EM_JS(void, be_ready, (const char* embedder), { Module["showReady"](UTF8ToString(embedder)); })
 EM_JS(void, hand_on_lesson, (const char* lesson), { Module["tellLesson"]?.(JSON.parse(UTF8ToString(lesson))); })
 EM_JS(void, show_way_back, (const char* words, const char* button), {
@@ -199,7 +204,7 @@ void show_controls(const std::string& json) {
 }
 
 bool canvas_has_keys() {
-  return is_canvas_focused() || (is_nothing_focused() && !is_within_another_page());
+  return is_canvas_focused() || (is_nothing_focused() && !has_given_keys_back() && !is_within_another_page());
 }
 
 bool canvas_has_focus() {

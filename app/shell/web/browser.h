@@ -52,7 +52,8 @@ void keep_from_leaving(bool has_unsaved);
 // The words and controls beside the canvas (page_controls.h), as JSON.
 void show_controls(const std::string& json);
 
-// Whether keys are meant for the canvas: it has the focus, or nothing has and the page is no part of another one.
+// Whether keys are meant for the canvas: it has the focus, or nothing has, leave_canvas() has not given them back since,
+// and the page is no part of another one.
 bool canvas_has_keys();
 bool canvas_has_focus();
 // The focus leaves the canvas, and with it the keys.

@@ -28,6 +28,15 @@ const char* answer(std::string text) {
   return kept.c_str();
 }
 
+// `act` returns why it could not be done.
+const char* why_not(const auto& act) {
+  try {
+    return answer(act());
+  } catch (const std::exception& error) {
+    return answer(error.what());
+  }
+}
+
 void stop_with(const char* why) {
   emscripten_cancel_main_loop();
   const std::string& language = page->application().session().language;
@@ -69,15 +78,15 @@ EMSCRIPTEN_KEEPALIVE const char* ghostforce_replay(const char* recording) {
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_show(const char* line) {
-  return answer(ghostforce::show_line(page->application(), line));
+  return why_not([&] { return ghostforce::show_line(page->application(), line); });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_begin_lesson(const char* name) {
-  return answer(ghostforce::begin_lesson_by_name(page->application(), name));
+  return why_not([&] { return ghostforce::begin_lesson_by_name(page->application(), name); });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_act(const char* name) {
-  return answer(ghostforce::act_by_name(page->application(), name));
+  return why_not([&] { return ghostforce::act_by_name(page->application(), name); });
 }
 
 EMSCRIPTEN_KEEPALIVE const char* ghostforce_actions() {

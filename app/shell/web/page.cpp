@@ -80,7 +80,11 @@ struct Page::Start {
     if (!address.lesson.empty()) {
       attempt("The lesson", [&] { lesson = std::make_shared<const Lesson>(load_lesson(address.lesson)); });
     }
-    if (const std::string fragment = browser::fragment(); !fragment.empty() && !lesson && !is_kiosk) {
+    const std::string fragment = browser::fragment();
+    if (!fragment.empty() && (lesson || is_kiosk)) {
+      stored.remarks.push_back(fmt::format("The set-up in the address of this page is not used: {}",
+                                           is_kiosk ? "a kiosk takes none." : "the lesson comes before it."));
+    } else if (!fragment.empty()) {
       attempt("The set-up", [&] { set_up = read_set_up_line(without_percent_signs(fragment)); });
     }
     if (set_up) {
@@ -178,11 +182,12 @@ void Page::follow_address() {
   }
 }
 
-// On the stage Tab leads on to the controls beside it. The workbench's own are in the picture alone, as are dialogs.
+// On the stage Tab leads on to the controls beside it. The workbench's own are in the picture alone, as are dialogs. One
+// visitor's Esc must not leave the next one without keys.
 void Page::follow_keys() {
   const Session& session = application_.session();
-  window_.set_key_uses(
-      {.tab = session.face == Face::workbench || session.dialog != Dialog::none, .escape = escape_has_use(session)});
+  window_.set_key_uses({.tab = session.face == Face::workbench || session.dialog != Dialog::none,
+                        .escape = escape_has_use(session) || is_kiosk_});
 }
 
 // What somebody has answered must not be lost between two looks.
@@ -223,7 +228,7 @@ void Page::follow_fingers() {
 }
 
 // Most browsers bring the graphics back within a second. Where one never does, a page that is loaded again has them: the
-// address holds what is shown, and what was chosen is kept.
+// address holds what is shown, except in a lesson, and what was chosen is kept.
 void Page::offer_way_back() {
   constexpr int patience = 180;  // frames: 3 s, of a tab that is in sight
   const bool was_offered = frames_without_graphics_ >= patience;
@@ -232,7 +237,9 @@ void Page::offer_way_back() {
   if (is_offered == was_offered) return;
   const StageLanguage::Page& words = stage_language(application_.session().language).page;
   if (is_offered) keep();
-  browser::offer_to_load_again(is_offered ? std::string(words.graphics_lost) : "", std::string(words.load_again));
+  const bool is_in_lesson = is_kiosk_ || application_.session().lesson;
+  const std::string_view lost = is_in_lesson ? words.graphics_lost_in_lesson : words.graphics_lost;
+  browser::offer_to_load_again(std::string(is_offered ? lost : ""), std::string(words.load_again));
 }
 
 // Once the person has left a new set-up alone for a moment.

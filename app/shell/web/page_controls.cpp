@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,6 +31,7 @@ Json json_of(const StageControl& control) {
   };
   add("about", control.about);
   add("refusal", control.refusal);
+  add("language", control.language);
   if (control.is_on) json["is_on"] = true;
   if (control.kind == StageControlKind::range) {
     json["value"] = control.value;
@@ -67,6 +69,7 @@ void PageControls::show(Application& application, bool is_later) {
               {"text", css(theme.text)},
               {"field", css(theme.panel_field)},
               {"accent", css(theme.accent)}}}};
+  if (std::exchange(repeats_notice_, false) && session.notice) json["repeats_notice"] = true;
   for (const StageControl& each : controls) json["controls"].push_back(json_of(each));
   std::string text = json.dump();
   if (text == shown_) return;
@@ -82,6 +85,8 @@ void PageControls::use(Application& application, std::string_view id, double val
   if (!control->refusal.empty()) {
     // A range or a choice has already moved: it is to be shown as it is.
     shown_.clear();
+    const std::optional<Notice>& notice = application.session().notice;
+    repeats_notice_ = notice && notice->words == control->refusal;
     return application.show_notice(control->refusal, false);
   }
   for (const Action& action : control->act(value)) application.act_at_once(action);

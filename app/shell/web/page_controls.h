@@ -27,6 +27,7 @@ class PageControls {
   SettledTexts texts_;
   std::string shown_;
   bool has_news_ = false;
+  bool repeats_notice_ = false;  // the newest notice says what stood there already
 };
 
 }  // namespace ghostforce

@@ -125,6 +125,7 @@ function showOne(control, isItem) {
     made.isNew = true;
     shown.set(control.id, made);
   }
+  setAttribute(made.main, "lang", control.language);
   if (toldKinds.includes(control.kind) && made.name.textContent !== control.words) news.push(control);
   setText(made.name, control.words);
   const remark = [control.about, control.refusal].filter(Boolean).join(" ");
@@ -188,6 +189,7 @@ function showControls(told) {
     if (!made.outer.isConnected) shown.delete(id);
   }
   keepFocus(focused, round);
+  if (told.repeats_notice) news.push(told.controls.find((each) => each.id === "notice"));
   tellNews();
 }
 

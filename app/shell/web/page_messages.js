@@ -11,6 +11,14 @@ function exchangeMessages(origin) {
     lesson: (message) => done(program.begin_lesson(String(message.name))),
     act: (message) => done(program.act(String(message.action))),
   };
+  // Whatever becomes of it, who asks has an answer.
+  const answerTo = (ask, data) => {
+    try {
+      return answers[ask](data);
+    } catch (error) {
+      return done(error?.message || "The program has failed: " + error);
+    }
+  };
   addEventListener("message", ({ source, origin: sender, data }) => {
     if (source !== parent || sender !== origin || !data?.ghostforce) return;
     const { ask, id } = data;
@@ -19,7 +27,7 @@ function exchangeMessages(origin) {
     } else if (!Object.hasOwn(answers, ask)) {
       tell("answer", { id, ...done("Ask for one of " + Object.keys(answers).join(", ") + ".") });
     } else {
-      tell("answer", { id, ...answers[ask](data) });
+      tell("answer", { id, ...answerTo(ask, data) });
     }
   });
   Module.tellLesson = (lesson) => tell("lesson", { lesson });

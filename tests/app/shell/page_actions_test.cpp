@@ -43,6 +43,16 @@ TEST_F(PageActions, SayWhyTheyCannotBeDone) {
   EXPECT_NE(lesson_step_state(*session().lesson).outcome, LessonOutcome::open);
   EXPECT_EQ(act_by("leave-lesson"), "");
   EXPECT_FALSE(session().lesson);
+  EXPECT_EQ(act_by("leave-lesson"), english_stage.refusals.is_not_on);
+}
+
+// As the palette does, of what would have no effect.
+TEST_F(PageActions, SayThatThereIsNothingToUndo) {
+  EXPECT_EQ(act_by("undo"), english_stage.refusals.nothing_to_undo);
+  EXPECT_EQ(act_by("full"), "");
+  EXPECT_EQ(act_by("redo"), english_stage.refusals.nothing_to_redo);
+  EXPECT_EQ(act_by("undo"), "");
+  EXPECT_EQ(session().settings.active, StrategyId::naive);
 }
 
 TEST_F(PageActions, ASetUpIsShownOrRefused) {

@@ -312,7 +312,8 @@ TEST_F(StageControls, AreOnlyTheLessonsForAVisitor) {
   session.kiosk_visit = KioskVisit{.lessons = {shipped_lessons().front()}, .language = "en"};
   begin_lesson(session, shipped_lessons().front());
   for (const std::string_view id : {"actions", "keys", "lessons", "modes", "lesson-leave"}) EXPECT_FALSE(has(id)) << id;
-  EXPECT_TRUE(has("lesson-language"));
+  EXPECT_EQ(control("lesson-language").words, "Español");
+  EXPECT_EQ(control("lesson-language").language, "es");
 }
 
 TEST_F(StageControls, TellANoticeUntilItIsDismissed) {
@@ -338,6 +339,18 @@ TEST(SettledTexts, TellWhatHasStoodForTwoLooks) {
   std::vector<StageControl> nothing;
   texts.settle(nothing, true);
   EXPECT_EQ(told("4", true), "4") << "it is there anew";
+}
+
+// A hand that goes round never stands still.
+TEST(SettledTexts, TellNowAndThenWhatGoesOnChanging) {
+  SettledTexts texts;
+  std::set<std::string> told;
+  for (int look = 0; look <= 24; ++look) {
+    std::vector<StageControl> one{{.id = "a", .kind = Kind::told, .words = std::to_string(look)}};
+    texts.settle(one, true);
+    told.insert(one.front().words);
+  }
+  EXPECT_EQ(told, (std::set<std::string>{"0", "8", "16", "24"}));
 }
 
 // Where the hand has come to and what that has led to are one message.
