@@ -164,7 +164,7 @@ class Person {
   // Until motors push. Begins once more whenever they went off before, or did not come on, because this machine has
   // other things to do.
   void arm_and_lean_in() {
-    constexpr int most_attempts = 15;  // of two seconds or more each
+    constexpr int most_attempts = 300;  // of two seconds or more each
     while (!input_->report().is_readable()) live();
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
       say(attempt % 2 == 0 ? "outside" : "aside");

@@ -29,8 +29,12 @@ class MachineWatch {
 
   // A thread has waited for a processor, once at least.
   bool was_late() const { return late_ > 0; }
-  // And more often than twice a second: an idle machine is late once in some seconds.
-  bool is_too_busy() const { return late_.load() * std::chrono::milliseconds(500) > Clock::now() - start_; }
+  // And more often than twice a second, for so long that the motors should have come on several times: an idle machine
+  // is late once in some seconds.
+  bool is_too_busy() const {
+    const Clock::duration passed = Clock::now() - start_;
+    return passed > std::chrono::seconds(15) && late_.load() * std::chrono::milliseconds(500) > passed;
+  }
 
  private:
   using Clock = std::chrono::steady_clock;
