@@ -159,6 +159,7 @@ inline constexpr auto action_kinds = std::tuple{
                            line_field("scene-alone", &CopyPicture::scene_alone)),
     line_kind<CopyValues>("copy-values"), line_kind<CopySetUp>("copy-set-up"),
     line_kind<PasteSetUp>("paste-set-up", line_field("line", &PasteSetUp::line)), line_kind<ShowLink>("show-link"),
+    line_kind<ShowControls>("show-controls"),
     line_kind<StartRecording>("start-recording", line_field("path", &StartRecording::path)),
     line_kind<StopRecording>("stop-recording"), line_kind<ResetPreferences>("reset-preferences")};
 

@@ -78,6 +78,7 @@ Application::Application(Window& window, const Scene& scene, const ApplicationOp
       why_no_falcon_(options.why_no_falcon),
       input_options_(options.input_options),
       painter_(options.painter),
+      show_controls_(options.show_controls),
       show_link_(options.show_link),
       watch_actions_(options.watch_actions),
       is_replay_(options.is_replay),

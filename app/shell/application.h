@@ -48,6 +48,7 @@ struct ApplicationOptions {
   std::optional<ReceiptOrigin> receipt_origin{};  // empty: recordings get no receipts
   InputOptions input_options{};
   std::function<std::unique_ptr<ServoDriver>()> make_servo_driver{};  // empty: nobody drives the servo
+  std::function<void()> show_controls{};                              // beside the picture; empty: there are none
   std::function<void(const std::string& line)> show_link{};           // to a set-up; empty: there is no page to link to
   bool offers_hints = false;
   std::set<std::string, std::less<>> folded_panels{};
@@ -215,6 +216,7 @@ class Application {
   std::string_view why_no_falcon_;
   InputOptions input_options_;
   FilePainter painter_;
+  std::function<void()> show_controls_;
   std::function<void(const std::string& line)> show_link_;
   std::function<void(double time_s, const Action& action)> watch_actions_;
   bool is_replay_;

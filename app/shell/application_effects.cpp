@@ -56,6 +56,9 @@ struct Application::EffectDoer {
     if (!application.show_link_) return;
     application.show_link_(set_up_line(set_up_of(application.session_, application.shown())));
   }
+  void operator()(const ShowControls&) const {
+    if (application.show_controls_) application.show_controls_();
+  }
   void operator()(const StartRecording& wanted) const { application.start_recording(wanted.path); }
   void operator()(const StopRecording&) const {
     const std::string words = application.end_recording();

@@ -17,7 +17,7 @@ namespace {
 
 using LeftOutInReplay =
     std::variant<Quit, ToggleFullScreen, ToggleAudience, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture,
-                 CopyValues, CopySetUp, ShowLink, StartRecording, StopRecording>;
+                 CopyValues, CopySetUp, ShowLink, ShowControls, StartRecording, StopRecording>;
 // After which a person read words on the screen, that Esc takes away before all else.
 using LeavesWords = std::variant<SaveScene, SavePicture, SavePlots, CopyPicture, CopyValues, CopySetUp>;
 

@@ -288,6 +288,9 @@ std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageK
   const StageLanguage::MenuRows& all = language.menu_rows;
   rows.push_back({Face::workbench, all.workbench.title, "F4", all.workbench.about});
   rows.push_back({StageCommand::palette, all.actions.title, "Ctrl+P", all.actions.about});
+  if (!keys.controls.empty()) {
+    rows.push_back({StageCommand::controls, all.controls.title, keys.controls, all.controls.about});
+  }
   if (!keys.full_screen.empty()) {
     rows.push_back({StageCommand::full_screen, all.full_screen.title, keys.full_screen, all.full_screen.about});
   }

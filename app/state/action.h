@@ -279,6 +279,8 @@ struct PasteSetUp {
 };
 // To this page, with that line.
 struct ShowLink {};
+// To the words and controls beside the picture.
+struct ShowControls {};
 struct StartRecording {
   std::string path;
 };
@@ -288,7 +290,7 @@ struct ResetPreferences {};
 
 using Effect = std::variant<Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, OpenScene, OpenLesson, DropFiles,
                             SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp,
-                            ShowLink, StartRecording, StopRecording, ResetPreferences>;
+                            ShowLink, ShowControls, StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
 using AnyAction = std::variant<
@@ -303,8 +305,8 @@ using AnyAction = std::variant<
     ChangeStiffnesses, Believe, StartMeasuring, TakeReading, CancelMeasuring, RevealHand, BelieveMeasurement,
     BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest, ForgetLessons, CloseDialog, CloseNotice, HideHints,
     Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture,
-    SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink, StartRecording, StopRecording,
-    ResetPreferences>;
+    SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp, ShowLink, ShowControls, StartRecording,
+    StopRecording, ResetPreferences>;
 
 template <typename T, typename Variant>
 inline constexpr bool is_one_of = false;

@@ -30,6 +30,7 @@ struct FrontKeys {
   // Of what these keys do, where that differs too.
   std::string_view pictures;            // the keys that save and copy, in a row
   std::string_view text_size_sentence;  // of the setting
+  std::string_view controls;  // that leads to the words and controls beside the picture; empty: there are none
 
   // Keys that quit and that change the size of text. A browser closes and zooms its pages itself.
   bool has_own_window;
@@ -50,6 +51,7 @@ inline constexpr FrontKeys keys_on_desktop{
     .move_view_modifiers = modifier::alt,
     .pictures = "Ctrl+Shift+S, P, C",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. Also Ctrl and + or −; Ctrl+0 restores the default.",
+    .controls = "",
     .has_own_window = true};
 
 // Letters that nothing else has: browsers leave them alone.
@@ -67,6 +69,7 @@ inline constexpr FrontKeys keys_in_page{
     .move_view_modifiers = modifier::shift | modifier::alt,
     .pictures = "I, Shift+I, V",
     .text_size_sentence = "The size of text and lines, 75 to 300 %. The browser's own zoom changes it too.",
+    .controls = "Tab",
     .has_own_window = false};
 
 // Those of the front that this is.

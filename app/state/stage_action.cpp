@@ -30,6 +30,8 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return ToggleDialog{Dialog::help};
     case StageCommand::palette:
       return ToggleDialog{Dialog::palette};
+    case StageCommand::controls:
+      return ShowControls{};
     case StageCommand::link:
       return ShowLink{};
     case StageCommand::full_screen:
@@ -100,7 +102,8 @@ StageKeys stage_keys() noexcept {
   return {.lessons = keys.lessons.shown,
           .help = keys.help.shown,
           .full_screen = keys.full_screen.shown,
-          .link = keys.link.shown};
+          .link = keys.link.shown,
+          .controls = keys.controls};
 }
 
 }  // namespace ghostforce

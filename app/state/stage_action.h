@@ -16,14 +16,15 @@
 namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the list of all
-// actions, the menu of what else there is to do, a link to what is shown, the full screen, the view that shows
-// everything, the motion from its beginning, the motors on or off, the picker of lessons;
+// actions, the menu of what else there is to do, the words and controls beside the picture, a link to what is shown, the
+// full screen, the view that shows everything, the motion from its beginning, the motors on or off, the picker of lessons;
 // the step before, the next step of the mode or the lesson that is on; the end of the lesson; its next language; to
 // move its slider; to measure the hand, or use what was measured.
 enum class StageCommand : std::uint8_t {
   keys,
   palette,
   menu,
+  controls,
   link,
   full_screen,
   fit,
@@ -50,7 +51,8 @@ struct StageKeys {
   std::string_view lessons;
   std::string_view help;
   std::string_view full_screen{};  // empty: there is no such thing here,
-  std::string_view link{};         // nor a link to what is shown
+  std::string_view link{};         // nor a link to what is shown,
+  std::string_view controls{};     // nor words and controls beside the picture
 };
 
 // What the program does for a press on a part of the stage; empty: there is nothing to do, or the part is dragged.

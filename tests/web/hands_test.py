@@ -44,6 +44,16 @@ class Keys(PageTest):
         browser.press("F4")
         browser.wait_until(face="stage")
 
+    def test_lead_out_of_the_workbench_as_it_says(self):
+        browser = self.open()
+        browser.press("F4")
+        browser.wait(
+            lambda _: "Esc and then Tab" in browser.script("return document.getElementById('stage').ariaLabel"), "its words"
+        )
+        browser.press("Escape")
+        browser.press("Tab")
+        browser.wait(lambda _: browser.script("return document.activeElement.id") != "stage", "what comes after it")
+
     def test_of_the_plots_opens_them_where_they_are(self):
         browser = self.open()
         browser.press(PLOTS)
@@ -172,7 +182,7 @@ class Fingers(PageTest):
 
 
 # On the stage at 1280×800, and in the first lesson's first step.
-FIT, RESET, MORE, FULL_SCREEN = (66, 397), (144, 397), (1196, 49), (1100, 366)
+FIT, RESET, MORE, CONTROLS, FULL_SCREEN = (66, 397), (144, 397), (1196, 49), (1100, 366), (1100, 412)
 FIT_IN_LESSON, RESET_IN_LESSON = (66, 464), (149, 464)
 
 
@@ -208,6 +218,15 @@ class Buttons(PageTest):
         browser.click(RESET_IN_LESSON)
         browser.wait(lambda state: state["tick"] < ticks, "the motion begun anew")
         self.assertEqual(browser.state()["lesson"], before["lesson"])
+
+    def test_words_and_controls_are_in_the_menu(self):
+        browser = self.open()
+        browser.click(MORE)
+        browser.click(CONTROLS)
+        browser.wait(lambda _: browser.script("return document.activeElement.matches('#controls h1')"), "the heading")
+        self.assertGreater(browser.script("return document.getElementById('controls').clientWidth"), 200, "in sight")
+        browser.click((1000, 400))
+        browser.wait(lambda _: browser.script("return document.activeElement.id") == "stage", "the picture")
 
     def test_full_screen_is_in_the_menu(self):
         browser = self.open()

@@ -89,6 +89,7 @@ EM_JS(void, listen_to_document, (), {
   stage.addEventListener("focus", () => Module["hasGivenKeysBack"] = false);
 })
 EM_JS(void, set_unsaved, (bool has_unsaved), { Module["hasUnsaved"] = has_unsaved; })
+EM_JS(void, focus_controls, (), { document.querySelector("#controls h1").focus(); })
 EM_JS(void, write_controls, (const char* json), { Module["showControls"](JSON.parse(UTF8ToString(json))); })
 EM_JS(bool, is_canvas_focused, (), { return document.activeElement === Module["canvas"]; })
 EM_JS(bool, is_nothing_focused, (), { return document.activeElement === document.body; })
@@ -201,6 +202,10 @@ void keep_from_leaving(bool has_unsaved) {
 
 void show_controls(const std::string& json) {
   write_controls(json.c_str());
+}
+
+void enter_controls() {
+  focus_controls();
 }
 
 bool canvas_has_keys() {

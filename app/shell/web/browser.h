@@ -51,6 +51,8 @@ void keep_from_leaving(bool has_unsaved);
 
 // The words and controls beside the canvas (page_controls.h), as JSON.
 void show_controls(const std::string& json);
+// The focus goes to them, which brings them into sight.
+void enter_controls();
 
 // Whether keys are meant for the canvas: it has the focus, or nothing has, leave_canvas() has not given them back since,
 // and the page is no part of another one.

@@ -114,6 +114,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .inputs = page_inputs(),
       .why_no_falcon = why_no_falcon_in_page,
       .make_servo_driver = [&times] { return std::make_unique<MeasuredServoDriver>(times.servo); },
+      .show_controls = browser::enter_controls,
       .show_link = browser::show_link,
       .offers_hints = preferences.offers_hints};
   if (start.is_kiosk) options.kiosk_visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();

@@ -61,7 +61,8 @@ void PageControls::show(Application& application, bool is_later) {
   const Theme& theme = *session.appearance.theme;
   const StageLanguage::Controls& words = stage_language(session.language).controls;
   Json json{{"language", session.language},
-            {"picture", words.picture},
+            {"picture",
+             session.face == Face::workbench || session.dialog != Dialog::none ? words.picture_alone : words.picture},
             {"about", words.about},
             {"how_to", words.how_to},
             {"colours",

@@ -114,7 +114,8 @@ TEST_P(StageLayoutTest, HasAMenuForFingersOnAPhone) {
     shown.language = GetParam();
     shown.size = size;
     shown.shows_menu = true;
-    shown.keys.full_screen = "X";  // as a page has it
+    shown.keys.full_screen = "X";  // as a page has them
+    shown.keys.controls = "Tab";
     const Drawn drawn(shown.compose());
     ASSERT_TRUE(drawn.picture.menu);
     EXPECT_TRUE(lies_in(*drawn.picture.menu, {Vector<2>(0.0), size})) << size.x << "x" << size.y;
@@ -144,13 +145,31 @@ TEST_P(StageLayoutTest, HasLettersThatCanBeReadOnAPhone) {
   }
 }
 
-TEST(StageMenu, HasTheFullScreenWhereThereIsOne) {
-  const auto has_it = [](const StageKeys& keys) {
-    return std::ranges::count(stage_menu(english_stage, keys), StageAction(StageCommand::full_screen),
-                              &StageMenuRow::action) == 1;
+TEST_P(StageLayoutTest, HasTheLinkOfAPage) {
+  for (const Vector<2>& size : {Vector<2>(1280.0, 800.0), Vector<2>(800.0, 1280.0), Vector<2>(390.0, 844.0)}) {
+    StageCase shown = stage_case_at(wall45(), wall45_goal);
+    shown.language = GetParam();
+    shown.size = size;
+    const auto has_it = [&] {
+      const std::vector<StageButton> buttons = shown.compose().buttons;
+      return std::ranges::count(buttons, StageAction(StageCommand::link), &StageButton::action) == 1;
+    };
+    shown.keys.link = "U";
+    EXPECT_TRUE(has_it()) << size.x << "x" << size.y;
+    shown.keys.link = {};
+    EXPECT_FALSE(has_it()) << size.x << "x" << size.y;
+  }
+}
+
+TEST(StageMenu, HasWhatThisFrontHas) {
+  const auto has = [](StageCommand command, const StageKeys& keys) {
+    return std::ranges::count(stage_menu(english_stage, keys), StageAction(command), &StageMenuRow::action) == 1;
   };
-  EXPECT_TRUE(has_it({.lessons = "F5", .help = "F1", .full_screen = "F11"}));
-  EXPECT_FALSE(has_it({.lessons = "F5", .help = "F1"}));
+  EXPECT_TRUE(has(StageCommand::full_screen, {.lessons = "F5", .help = "F1", .full_screen = "F11"}));
+  EXPECT_TRUE(has(StageCommand::controls, {.lessons = "M", .help = "K", .controls = "Tab"}));
+  for (const StageCommand command : {StageCommand::full_screen, StageCommand::controls}) {
+    EXPECT_FALSE(has(command, {.lessons = "F5", .help = "F1"}));
+  }
 }
 
 TEST(ScaleOverStage, GrowsWithTheWindowAsFarAsDialogsFit) {

@@ -68,7 +68,7 @@ using WithPath = std::variant<DropFiles, SaveScene, SavePicture, SaveClip, SaveP
 // Another Action in the catalog does the same.
 using OtherWay = std::variant<ChooseByNumber, ShowFace, NextLanguage, BeginCircleTest>;
 // A page has it.
-using InPageAlone = std::variant<ShowLink>;
+using InPageAlone = std::variant<ShowLink, ShowControls>;
 // No person does it.
 using OfTheSystem = std::variant<FollowSystemMotion>;
 

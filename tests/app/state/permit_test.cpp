@@ -67,6 +67,7 @@ TEST_F(PermitTest, AVisitorHasNoWayToFilesClipboardOrWindow) {
                                       CopySetUp{},
                                       PasteSetUp{},
                                       ShowLink{},
+                                      ShowControls{},
                                       StartRecording{"x"},
                                       StopRecording{},
                                       ResetPreferences{},
