@@ -81,7 +81,7 @@ class GlPainter {
 
   static void fill(Colour colour, std::span<const PixelRect> rects);
   void paint_marks(const Pane& pane, const PixelRect& rect, double pixels_per_point);
-  // Those that are collected; of the viewport `rect` only `parts`.
+  // Those that are collected.
   void paint_instances(const PixelRect& rect);
   // One that nothing shines through.
   void paint_half_plane(const HalfPlane& form, const Collect& collect, const PixelRect& rect);

@@ -14,7 +14,7 @@ namespace ghostforce {
 // Motors did not come on, or not for long enough, and this machine is why.
 class MachineTooBusy : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  MachineTooBusy() : std::runtime_error("the motors did not come on, or went off: this machine is too busy") {}
 };
 
 class MachineWatch {

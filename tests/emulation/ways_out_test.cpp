@@ -63,7 +63,7 @@ class WaysOutTest : public testing::Test {
 
   // Motors that push may go off again at once, because this machine has other things to do: then once more.
   void see_it_push() {
-    for (int attempt = 0; attempt < 6 && chip.told().motors == MotorNumbers{}; ++attempt) {
+    for (int attempt = 0; attempt < 20 && chip.told().motors == MotorNumbers{}; ++attempt) {
       program.reset();
       ASSERT_NO_FATAL_FAILURE(start(way));
     }
@@ -72,7 +72,7 @@ class WaysOutTest : public testing::Test {
   }
 
   void skip_if_too_busy() const {
-    if (watch.is_too_busy()) skip_because("the motors did not come on, or went off: this machine is too busy");
+    if (watch.is_too_busy()) skip_because(MachineTooBusy().what());
   }
 
   // While the motors push.

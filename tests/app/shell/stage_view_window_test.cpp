@@ -40,6 +40,17 @@ class StageViewWindow : public DrivenWindow {
     frames(150);
     ASSERT_EQ(numbers().least, numbers_before.least);
   }
+  // When it was elsewhere [s].
+  double send_hand_away_and_back() {
+    session().goal = elsewhere;
+    frames(60);
+    const double elsewhere_s = now().time_s;
+    session().goal = wall45_goal;
+    frames(200);
+    return elsewhere_s;
+  }
+  static constexpr Vector<2> elsewhere{0.06, 0.05};  // out of sight
+
   void expect_nothing_is_covered(const std::string& where) {
     EXPECT_EQ(covered_by_frame(Drawn(picture())), "") << where;
     const SceneView shown = session().stage_shown;
@@ -130,11 +141,7 @@ TEST_F(StageViewWindow, AHandGoesWhereThePointerGoes) {
 }
 
 TEST_F(StageViewWindow, IsAsBeforeOnceTheLastMinuteIsClosed) {
-  session().goal = {0.06, 0.05};
-  frames(60);
-  const double elsewhere_s = now().time_s;
-  session().goal = wall45_goal;
-  frames(200);
+  const double elsewhere_s = send_hand_away_and_back();
   press(key::f);
   frames(120);
   const SceneView before = session().stage_shown;
@@ -187,11 +194,7 @@ TEST_F(StageViewWindow, StaysWhereAPersonHasMovedIt) {
 }
 
 TEST_F(StageViewWindow, StaysWhereAPersonHasMovedItWhileLookingBack) {
-  session().goal = {0.06, 0.05};
-  frames(60);
-  const double elsewhere_s = now().time_s;
-  session().goal = wall45_goal;
-  frames(200);
+  const double elsewhere_s = send_hand_away_and_back();
   const double near_s = now().time_s;
   press(key::h);
   session().stage.looks_back_to_s = near_s - 0.05;
@@ -203,7 +206,7 @@ TEST_F(StageViewWindow, StaysWhereAPersonHasMovedItWhileLookingBack) {
   session().stage.looks_back_to_s = elsewhere_s;
   frames(120);
   EXPECT_NE(session().stage_shown, moved) << "the hand was elsewhere, out of sight";
-  EXPECT_TRUE(contains(picture().scene, on_window({0.06, 0.05})));
+  EXPECT_TRUE(contains(picture().scene, on_window(elsewhere)));
 }
 
 }  // namespace
