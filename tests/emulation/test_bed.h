@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "tests/emulation/awake_processors.h"
 #include "tests/emulation/kernel_door.h"
 #include "tests/emulation/terminal.h"
 
@@ -52,6 +53,7 @@ class TestBed {
   static constexpr const char* hub = "/devices/pci0000:00/0000:00:14.0/usb1";
 
  private:
+  const AwakeProcessors awake_;
   _UMockdevTestbed* testbed_;
   std::string root_;
   int last_address_ = 1;  // the root hub's
