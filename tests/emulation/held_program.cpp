@@ -1,8 +1,6 @@
 #include "tests/emulation/held_program.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <climits>
 #include <csignal>
 #include <cstddef>
 #include <filesystem>
@@ -10,9 +8,7 @@
 #include <system_error>
 
 #include <sched.h>
-#include <sys/prctl.h>
 #include <sys/ptrace.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -45,24 +41,6 @@ int real_time_priority(pid_t thread) {
   return sched_getparam(thread, &parameters) == 0 ? parameters.sched_priority : 0;
 }
 
-// A copy of this process that does this and ends; it has nothing open, so that no device file outlives its own end.
-template <typename Work>
-pid_t fork_to(Work work) {
-  const pid_t child = fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child > 0) return child;
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  syscall(SYS_close_range, 0U, UINT_MAX, 0U);
-  work();
-  _exit(0);
-}
-
-void kill_all(std::vector<pid_t>& processes) {
-  for (const pid_t process : processes) kill(process, SIGKILL);
-  for (const pid_t process : processes) waitpid(process, nullptr, 0);
-  processes.clear();
-}
-
 }  // namespace
 
 std::string_view hold_obstacle(ProcessHold hold) {
@@ -83,7 +61,6 @@ HeldProgram::HeldProgram(pid_t program, ProcessHold hold, std::chrono::milliseco
 HeldProgram::~HeldProgram() {
   if (program_ > 0 && hold_ == ProcessHold::stopped) kill(program_, SIGCONT);
   for (const pid_t thread : debugged_) ptrace(PTRACE_DETACH, thread, nullptr, nullptr);
-  kill_all(starvers_);
 }
 
 void HeldProgram::debug() {
@@ -105,7 +82,7 @@ void HeldProgram::starve(std::chrono::milliseconds duration) {
   const std::int64_t end_ns = start_ns + duration / std::chrono::nanoseconds(1);
   for (std::size_t processor = 0; processor < CPU_SETSIZE; ++processor) {
     if (!CPU_ISSET(processor, &processors)) continue;
-    starvers_.push_back(fork_to([=] {
+    starvers_.add([=] {
       cpu_set_t one;
       CPU_ZERO(&one);
       CPU_SET(processor, &one);
@@ -114,22 +91,18 @@ void HeldProgram::starve(std::chrono::milliseconds duration) {
       sleep_until_monotonic(start_ns);
       while (monotonic_ns() < end_ns) {
       }
-    }));
+    });
   }
   sleep_until_monotonic(start_ns);
 }
 
 BusyProcesses::BusyProcesses(int count) {
   for (int i = 0; i < count; ++i) {
-    processes_.push_back(fork_to([] {
+    processes_.add([] {
       set_real_time(0, 0);
       for (volatile unsigned turns = 0;;) turns = turns + 1;
-    }));
+    });
   }
-}
-
-BusyProcesses::~BusyProcesses() {
-  kill_all(processes_);
 }
 
 UrgentHere::UrgentHere() {

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "tests/emulation/forked_processes.h"
+
 namespace ghostforce {
 
 enum class ProcessHold : std::uint8_t {
@@ -36,19 +38,16 @@ class HeldProgram {
   pid_t program_;
   ProcessHold hold_;
   std::vector<pid_t> debugged_;  // its threads
-  std::vector<pid_t> starvers_;
+  ForkedProcesses starvers_;
 };
 
 // So many processes that do nothing else, as ordinary ones.
 class BusyProcesses {
  public:
   explicit BusyProcesses(int count);
-  BusyProcesses(const BusyProcesses&) = delete;
-  BusyProcesses& operator=(const BusyProcesses&) = delete;
-  ~BusyProcesses();
 
  private:
-  std::vector<pid_t> processes_;
+  ForkedProcesses processes_;
 };
 
 // This process's threads go ahead of all others, where that is allowed: no load of the machine's makes an emulated
