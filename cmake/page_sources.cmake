@@ -47,6 +47,8 @@ add_library(imgui_sources STATIC
   ${imgui}/imgui.cpp ${imgui}/imgui_draw.cpp ${imgui}/imgui_stacklayout.cpp ${imgui}/imgui_tables.cpp
   ${imgui}/imgui_widgets.cpp ${imgui}/backends/imgui_impl_opengl3.cpp ${implot}/implot.cpp ${implot}/implot_items.cpp
   ${PROJECT_SOURCE_DIR}/app/paint/web/imgui_state.cpp)
+# Of ImGui, what builds each frame's triangles.
+set_property(SOURCE ${imgui}/imgui_draw.cpp APPEND PROPERTY COMPILE_OPTIONS $<$<CONFIG:MinSizeRel>:-O2>)
 set_property(SOURCE ${imgui}/backends/imgui_impl_opengl3.cpp APPEND PROPERTY
   COMPILE_OPTIONS -include ${PROJECT_SOURCE_DIR}/app/paint/web/imgui_state.h)
 target_include_directories(imgui_sources PRIVATE ${PROJECT_SOURCE_DIR})

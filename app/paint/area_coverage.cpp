@@ -86,13 +86,15 @@ AreaCoverage area_coverage(std::span<const Vector<2>> corners, int width, int he
 
 namespace {
 
-constexpr int tile_side = 32;
+constexpr int row_height = 64;
 constexpr double edge_reach = 1.0;  // a smooth edge is half of this wide to either side [px]
 
-// Beside the one before, where that is of the same kind and in the same row.
+// Below the one before, where both are as wide and in the same place.
 void add_tile(const PixelTile& tile, std::vector<PixelTile>& tiles) {
-  if (!tiles.empty() && tiles.back().top == tile.top && tiles.back().left + tiles.back().width == tile.left) {
-    tiles.back().width += tile.width;
+  if (tile.width <= 0) return;
+  if (!tiles.empty() && tiles.back().left == tile.left && tiles.back().width == tile.width &&
+      tiles.back().top + tiles.back().height == tile.top) {
+    tiles.back().height += tile.height;
   } else {
     tiles.push_back(tile);
   }
@@ -102,17 +104,26 @@ void add_tile(const PixelTile& tile, std::vector<PixelTile>& tiles) {
 
 HalfPlaneTiles half_plane_tiles(const Vector<2>& point, const Vector<2>& normal, int width, int height) {
   HalfPlaneTiles tiles;
-  for (int top = 0; top < height; top += tile_side) {
-    for (int left = 0; left < width; left += tile_side) {
-      const PixelTile tile{left, top, std::min(tile_side, width - left), std::min(tile_side, height - top)};
-      const Vector<2> half = 0.5 * Vector<2>(tile.width, tile.height);
-      const double distance = glm::dot(Vector<2>(left, top) + half - point, normal);
-      const double reach = std::abs(normal.x) * half.x + std::abs(normal.y) * half.y + edge_reach;
-      if (distance <= -reach) {
-        add_tile(tile, tiles.whole);
-      } else if (distance < reach) {
-        add_tile(tile, tiles.edge);
-      }
+  // An edge along the rows is as good as one that falls by a millionth of a pixel.
+  constexpr double least_slope = 1e-9;
+  const double slope = std::abs(normal.x) < least_slope ? least_slope : normal.x;
+  for (int top = 0; top < height; top += row_height) {
+    const int bottom = std::min(top + row_height, height);
+    const auto [nearest, farthest] = std::minmax({(top - point.y) * normal.y, (bottom - point.y) * normal.y});
+    const double whole_at = point.x + (-edge_reach - farthest) / slope;
+    const double outside_at = point.x + (edge_reach - nearest) / slope;
+    const auto column = [width](double x) { return static_cast<int>(std::clamp(x, 0.0, static_cast<double>(width))); };
+    const auto add = [&](int first, int end, std::vector<PixelTile>& to) {
+      add_tile({first, top, end - first, bottom - top}, to);
+    };
+    if (slope > 0.0) {
+      const int whole_end = column(std::floor(whole_at));
+      add(0, whole_end, tiles.whole);
+      add(whole_end, column(std::ceil(outside_at)), tiles.edge);
+    } else {
+      const int whole_begin = column(std::ceil(whole_at));
+      add(whole_begin, width, tiles.whole);
+      add(column(std::floor(outside_at)), whole_begin, tiles.edge);
     }
   }
   return tiles;
