@@ -104,7 +104,8 @@ void add_tile(const PixelTile& tile, std::vector<PixelTile>& tiles) {
 
 HalfPlaneTiles half_plane_tiles(const Vector<2>& point, const Vector<2>& normal, int width, int height) {
   HalfPlaneTiles tiles;
-  // An edge along the rows is as good as one that falls by a millionth of a pixel.
+  if (!std::isfinite(point.x + point.y + normal.x + normal.y)) return tiles;
+  // An edge along the rows is taken for one that falls by a millionth of a pixel in a thousand.
   constexpr double least_slope = 1e-9;
   const double slope = std::abs(normal.x) < least_slope ? least_slope : normal.x;
   for (int top = 0; top < height; top += row_height) {

@@ -1,6 +1,7 @@
 // PageAddress: what the address of the page asks for (docs/web.md), and what in it cannot be used. Pure; any thread.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +18,11 @@ struct PageAddress {
   std::vector<std::string> problems{};
 };
 
+// Whether this is the origin of a page, as a browser writes it. To anything else a browser sends no message, or throws.
+using IsOrigin = std::function<bool(const std::string& value)>;
+
 // `query`: what stands from the ? to the #, as it is written there. Also told is what stands there and means nothing.
-PageAddress read_page_address(std::string_view query);
+PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin);
 
 // What such a text says, with characters in place of %XX. Throws ReadError where something else follows a percent sign.
 std::string without_percent_signs(std::string_view text);

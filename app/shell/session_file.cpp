@@ -15,8 +15,8 @@
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
-#include "app/files/toml_document.h"
 #include "app/shell/action_kinds.h"
+#include "app/shell/action_text.h"
 #include "app/shell/line_text.h"
 
 namespace ghostforce {
@@ -30,32 +30,6 @@ constexpr auto start_kind = line_kind<SessionStart>(
     line_field("height", &SessionStart::height), line_field("scene", &SessionStart::scene));
 
 constexpr std::string_view end_name = "end";
-
-template <typename Field, typename Object>
-using ValueAt = std::remove_cvref_t<decltype(std::declval<const Field&>().of(std::declval<Object&>()))>;
-
-// --- Writing ---
-
-template <typename Object, typename... Fields>
-std::string kind_text(const LineKind<Object, Fields...>& kind, const Object& object) {
-  std::string text(kind.name);
-  const auto add = [&]<typename Field>(const Field& field) {
-    text += fmt::format(" {}={}", field.name, line_value(LineText<ValueAt<Field, Object>>::write(field.of(object))));
-  };
-  std::apply([&](const auto&... fields) { (add(fields), ...); }, kind.fields);
-  return text;
-}
-
-template <typename A, std::size_t i = 0>
-constexpr const auto& kind_of() {
-  if constexpr (std::is_same_v<A, typename std::tuple_element_t<i, decltype(action_kinds)>::Of>) {
-    return std::get<i>(action_kinds);
-  } else {
-    return kind_of<A, i + 1>();
-  }
-}
-
-// --- Reading ---
 
 struct LineWord {
   std::size_t column = 1;
@@ -300,19 +274,12 @@ class SessionReader {
 
 }  // namespace
 
-std::string line_value(std::string_view text) {
-  constexpr std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789+-._,:/";
-  return !text.empty() && text.find_first_not_of(plain) == std::string_view::npos ? std::string(text)
-                                                                                  : toml_string(text);
-}
-
 std::string start_line(const SessionStart& start) {
   return kind_text(start_kind, start) + '\n';
 }
 
 std::string action_line(const TimedAction& timed) {
-  const auto text = []<typename A>(const A& action) { return kind_text(kind_of<A>(), action); };
-  return fmt::format("{} {}\n", timed.time_s, std::visit(text, timed.action));
+  return fmt::format("{} {}\n", timed.time_s, action_text(timed.action));
 }
 
 std::string end_line(double time_s) {

@@ -45,9 +45,6 @@ std::string action_line(const TimedAction& timed);
 std::string end_line(double time_s);
 std::string session_text(const RecordedSession& session);
 
-// As a value of such a line: in quotes where it needs them.
-std::string line_value(std::string_view text);
-
 // Throws ReadError(wrong), one line per problem:
 //     FILE:LINE:COLUMN: what is wrong; what to do
 RecordedSession read_session(std::string_view text, std::string_view shown_path);

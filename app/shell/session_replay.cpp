@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/files/scene_file.h"
+#include "app/shell/action_text.h"
 #include "app/state/lesson_file.h"
 #include "app/state/permit.h"
 #include "app/state/set_up.h"

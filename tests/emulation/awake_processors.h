@@ -1,7 +1,8 @@
-// AwakeProcessors: while one stands, no processor of this machine sleeps. A virtual machine gives an idle processor away
-// and gets it back some milliseconds late. A device that is emulated by threads then answers too late for motors to come
-// on, and the more so the less else there is to do.
-// Takes no time from anybody: its processes run where nothing else wants to.
+// AwakeProcessors: keeps the processors of this machine from sleeping. A virtual machine gives an idle processor away
+// and gets it back some milliseconds late. A device that is emulated by threads then answers too late for motors to
+// come on, and the more so the less else there is to do.
+// Its processes run where nothing else wants to. Where a container limits the processor time of all its processes
+// together, they take their part of it.
 #pragma once
 
 #include <thread>

@@ -107,6 +107,25 @@ class Embedded(PageTest):
         answer = self.ask(ask="act", action="full")
         self.assertEqual((answer["done"], answer["why"]), (False, "broken"))
 
+    def test_tells_what_is_done_but_not_what_is_on_the_clipboard(self):
+        self.embed(self.origin_of(self.outer))
+        self.told("ready")
+        self.ask(ask="act", action="why")
+        self.told("action", lambda each: each["action"] == "toggle-mode mode=why")
+        browser = self.browser
+        browser.driver.switch_to.frame(browser.driver.find_element("id", "frame"))
+        browser.script(
+            """const clipboardData = new DataTransfer();
+            clipboardData.setData("text/plain", "a secret");
+            window.dispatchEvent(new ClipboardEvent("paste", { clipboardData, bubbles: true }));"""
+        )
+        browser.driver.switch_to.default_content()
+        pasted = self.told("action", lambda each: each["action"].startswith("paste-set-up"))
+        self.assertEqual(pasted["action"], 'paste-set-up line=""')
+        state = self.ask(ask="state")["state"]
+        self.assertNotIn("notice", state)
+        self.assertNotIn("secret", str(self.browser.script("return window.told")))
+
     def test_gives_the_keys_back_at_escape(self):
         self.embed(self.origin_of(self.outer))
         self.told("ready")
@@ -116,6 +135,9 @@ class Embedded(PageTest):
         browser.script("document.getElementById('stage').focus()")
         browser.press("3")
         browser.wait_until(strategy="anisotropic")
+        browser.driver.switch_to.default_content()
+        self.told("action", lambda each: each["action"] == "choose-by-number id=anisotropic")
+        browser.driver.switch_to.frame(browser.driver.find_element("id", "frame"))
         focused = "return document.activeElement.id"
         wait_for(lambda: browser.press("Escape") or browser.script(focused) == "", "a canvas without the focus")
         browser.press("2")

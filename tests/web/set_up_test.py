@@ -114,6 +114,10 @@ class Address(PageTest):
             ("?lesson=", "lesson has no value"),
             ("?embed=*", "not the origin of a page"),
             ("?embed=http://[", "not the origin of a page"),
+            ("?embed=http://[0:0:0:0:0:0:0:1]", "not the origin of a page"),
+            ("?embed=https://a:443", "not the origin of a page"),
+            ("?embed=https://a/b", "not the origin of a page"),
+            ("?embed=httpx://a", "not the origin of a page"),
             ("?fit=banana", "fit takes no value but 1"),
             ("?notices=no", "notices takes no value but 1"),
             ("?lesson=ghost#broken", "is not used: the lesson comes before it"),
@@ -121,6 +125,12 @@ class Address(PageTest):
             with self.subTest(query=query):
                 state = self.open(query=query).wait(lambda state: state["notice"], "words about the address")
                 self.assertIn(words, state["notice"])
+
+    def test_takes_the_origin_of_any_page(self):
+        for origin in ("http://[::1]:8000", "https://a:80", "http://localhost:8000"):
+            with self.subTest(origin=origin):
+                state = self.open(query=f"?embed={origin}").wait(lambda state: state["frames"] > 3, "a few frames")
+                self.assertEqual(state["notice"], "")
 
     def test_of_a_new_person_uses_nothing_that_is_kept(self):
         browser = self.open()

@@ -11,6 +11,14 @@ EM_JS_DEPS(browser, "$UTF8ToString,$stringToNewUTF8")
 
 // clang-format off
 EM_JS(char*, read_query, (), { return stringToNewUTF8(location.search); })
+EM_JS(bool, is_origin_of_page, (const char* text), {
+  const value = UTF8ToString(text);
+  try {
+    return value.startsWith("http") && new URL(value).origin === value;
+  } catch {
+    return false;
+  }
+})
 EM_JS(char*, read_fragment, (), { return stringToNewUTF8(location.hash.slice(1)); })
 EM_JS(void, write_fragment, (const char* text), {
   try {
@@ -101,6 +109,7 @@ EM_JS(void, blur_canvas, (), {
 })
 EM_JS(void, be_ready, (const char* embedder), { Module["showReady"](UTF8ToString(embedder)); })
 EM_JS(void, hand_on_lesson, (const char* lesson), { Module["tellLesson"]?.(JSON.parse(UTF8ToString(lesson))); })
+EM_JS(void, hand_on_action, (const char* action), { Module["tellAction"]?.(UTF8ToString(action)); })
 EM_JS(void, show_way_back, (const char* words, const char* button), {
   Module["offerToLoadAgain"](UTF8ToString(words), UTF8ToString(button));
 })
@@ -119,6 +128,10 @@ std::string text_of(char* text) {
 
 std::string query() {
   return text_of(read_query());
+}
+
+bool is_origin(const std::string& value) {
+  return is_origin_of_page(value.c_str());
 }
 
 std::string fragment() {
@@ -226,6 +239,10 @@ void tell_ready(const std::string& embedder) {
 
 void tell_lesson(const std::string& lesson) {
   hand_on_lesson(lesson.c_str());
+}
+
+void tell_action(const std::string& action) {
+  hand_on_action(action.c_str());
 }
 
 void offer_to_load_again(const std::string& words, const std::string& button) {

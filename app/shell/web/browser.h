@@ -14,6 +14,8 @@ std::string query();
 std::string fragment();
 // From now on that follows the #, without a new entry in the browser's history.
 void set_fragment(const std::string& text);
+// Whether this is the origin of a page, by http or https, written as this browser writes it.
+bool is_origin(const std::string& value);
 // Shows the address of this page with that text behind the #, for others to open, and its QR code where others can
 // reach this page.
 void show_link(const std::string& text);
@@ -66,6 +68,8 @@ void leave_canvas();
 void tell_ready(const std::string& embedder);
 // What of a lesson has changed, as JSON, for that page.
 void tell_lesson(const std::string& lesson);
+// What somebody does, as action_text(), likewise.
+void tell_action(const std::string& action);
 // Over the picture: words, and a button that loads the page again. Empty words: they go.
 void offer_to_load_again(const std::string& words, const std::string& button);
 // Shows these words in place of the program.

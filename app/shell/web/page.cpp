@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +15,7 @@
 #include "app/files/scene_file.h"
 #include "app/picture/camera.h"
 #include "app/picture/screen_box.h"
+#include "app/shell/action_text.h"
 #include "app/shell/page_address.h"
 #include "app/shell/preferences.h"
 #include "app/shell/web/browser.h"
@@ -55,10 +57,23 @@ class MeasuredServoDriver final : public ServoDriver {
   FrameTimes& times_;
 };
 
+// To the page around this one. What is on the clipboard, and how files are called, is the person's business alone.
+void tell_action(Action action) {
+  std::visit(
+      [](auto& one) {
+        if constexpr (requires { one.line.clear(); }) one.line.clear();
+        if constexpr (requires { one.path.clear(); }) one.path.clear();
+        if constexpr (requires { one.paths.clear(); }) one.paths.clear();
+        if constexpr (requires { one.name_or_path.clear(); }) one.name_or_path.clear();
+      },
+      action);
+  browser::tell_action(action_text(action));
+}
+
 }  // namespace
 
 struct Page::Start {
-  PageAddress address = read_page_address(browser::query());
+  PageAddress address = read_page_address(browser::query(), browser::is_origin);
   bool is_kiosk = address.is_kiosk;
   bool keeps = !is_kiosk && !address.is_for_new_person;
   StoredPreferences stored = preferences_for(address);
@@ -117,6 +132,9 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .show_controls = browser::enter_controls,
       .show_link = browser::show_link,
       .offers_hints = preferences.offers_hints};
+  if (!start.address.embedder.empty()) {
+    options.watch_actions = [](double, const Action& action) { tell_action(action); };
+  }
   if (start.is_kiosk) options.kiosk_visit = start.lesson ? std::vector{start.lesson} : shipped_lessons();
   options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;  // ticks come in bursts
   options.folded_panels = panels_folded_at_first(WindowLayout::first_height / preferences.appearance.scale);
@@ -278,6 +296,7 @@ void Page::frame() {
   follow_fingers();
   follow_keys();
   const bool is_later = now_s - looked_at_s_ >= look_every_s;
+  controls_.follow_notice(application_.session());
   if (is_later || controls_.has_news()) controls_.show(application_, is_later);
   if (is_later) {
     looked_at_s_ = now_s;

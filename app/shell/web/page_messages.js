@@ -4,8 +4,13 @@ function exchangeMessages(origin) {
   const program = window.ghostforce;
   const tell = (tells, values) => parent.postMessage({ ghostforce: version, tells, ...values }, origin);
   const done = (why) => (why ? { done: false, why } : { done: true });
+  // What a notice quotes, such as a text that was pasted, is the person's business alone.
+  const state = () => {
+    const { notice, ...told } = program.state();
+    return told;
+  };
   const answers = {
-    state: () => ({ done: true, state: program.state() }),
+    state: () => ({ done: true, state: state() }),
     actions: () => ({ done: true, actions: program.actions() }),
     show: (message) => done(program.show(String(message.set_up))),
     lesson: (message) => done(program.begin_lesson(String(message.name))),
@@ -31,6 +36,7 @@ function exchangeMessages(origin) {
     }
   });
   Module.tellLesson = (lesson) => tell("lesson", { lesson });
+  Module.tellAction = (action) => tell("action", { action });
 
   const whole = (numbers, digits) => numbers.map((each) => Number(each.toFixed(digits)));
   let before = "";  // at the last look
@@ -49,6 +55,6 @@ function exchangeMessages(origin) {
     }
     before = now;
   };
-  tell("ready", { state: program.state() });
+  tell("ready", { state: state() });
   setInterval(look, 250);
 }

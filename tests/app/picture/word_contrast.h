@@ -46,12 +46,6 @@ inline Colour ground_at(const Pane& pane, const Theme& theme, const Vector<2>& p
   return ground;
 }
 
-// As WCAG has it: from 24 pixels on, or from 18.66 where they are bold. `height`: of a line [points].
-inline bool is_large(double height, bool is_bold) {
-  constexpr double line_of_em = 1.17;
-  return height / line_of_em >= (is_bold ? 18.66 : 24.0);
-}
-
 // Empty: all can be read. `text_scale`: as of PictureExtents.
 inline std::vector<std::string> unreadable_words(const Pane& pane, const Theme& theme, const MeasureText& measure,
                                                  double text_scale = 1.0) {
@@ -59,8 +53,6 @@ inline std::vector<std::string> unreadable_words(const Pane& pane, const Theme& 
   for (const LabelExtent& words : PictureExtents(pane, measure, text_scale).labels) {
     const Label& label = std::get<Label>(pane.marks[words.mark].form);
     if (label.colour.alpha == 0) continue;
-    const bool large = is_large(label.style.height * text_scale, label.style.is_bold);
-    const double least = large ? least_large_word_contrast : least_word_contrast;
     double worst = 21.0;
     for (const double x : {0.02, 0.25, 0.5, 0.75, 0.98}) {
       for (const double y : {0.2, 0.5, 0.8}) {
@@ -70,7 +62,7 @@ inline std::vector<std::string> unreadable_words(const Pane& pane, const Theme& 
         worst = std::min(worst, contrast(laid_on(ground, label.colour), ground));
       }
     }
-    if (worst < least) faults.push_back(fmt::format("'{}' has a contrast of {:.2f}", words.words, worst));
+    if (worst < least_word_contrast) faults.push_back(fmt::format("'{}' has a contrast of {:.2f}", words.words, worst));
   }
   return faults;
 }

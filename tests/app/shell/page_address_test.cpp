@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -12,9 +13,13 @@
 namespace ghostforce::page_address_test {
 namespace {
 
+PageAddress read(std::string_view query) {
+  return read_page_address(query, [](const std::string& value) { return value == "https://course.example.org:8443"; });
+}
+
 TEST(PageAddress, AsksForNothingAtFirst) {
   for (const char* query : {"", "?", "?&&"}) {
-    const PageAddress address = read_page_address(query);
+    const PageAddress address = read(query);
     EXPECT_TRUE(address.problems.empty()) << query;
     EXPECT_EQ(address.lesson + address.language + address.embedder, "");
     EXPECT_FALSE(address.is_kiosk || address.is_for_new_person || address.fits);
@@ -22,8 +27,8 @@ TEST(PageAddress, AsksForNothingAtFirst) {
 }
 
 TEST(PageAddress, IsReadWhole) {
-  const PageAddress address = read_page_address(
-      "?kiosk&lesson=my%2Downs&language=es-MX&reset&fit=1&embed=https%3A%2F%2Fcourse.example.org:8443");
+  const PageAddress address =
+      read("?kiosk&lesson=my%2Downs&language=es-MX&reset&fit=1&embed=https%3A%2F%2Fcourse.example.org:8443");
   EXPECT_TRUE(address.problems.empty()) << address.problems.front();
   EXPECT_EQ(address.lesson, "my-owns");
   EXPECT_EQ(address.language, "es");
@@ -46,32 +51,11 @@ TEST(PageAddress, TellsOfEachMistakeAndUsesTheRest) {
       {"script", "is not one of lesson, language, kiosk, reset, fit, embed, notices"},
       {"fit&fit", "fit is there twice"},
       {"embed=*", "'*' is not the origin of a page"},
-      {"embed=https://course.example.org/page", "is not the origin of a page"},
-      {"embed=null", "'null' is not the origin of a page"},
-      {"embed=https://", "is not the origin of a page"},
-      {"embed=http://[", "is not the origin of a page"},
-      {"embed=http://[]", "is not the origin of a page"},
-      {"embed=http://[::1", "is not the origin of a page"},
-      {"embed=http://[1::2::3]", "is not the origin of a page"},
-      {"embed=http://[1:2:3]", "is not the origin of a page"},
-      {"embed=http://[::1]x", "is not the origin of a page"},
-      {"embed=https://:", "is not the origin of a page"},
-      {"embed=https://:8443", "is not the origin of a page"},
-      {"embed=https://a..b", "is not the origin of a page"},
-      {"embed=https://A", "is not the origin of a page"},
-      {"embed=https://1.2.3.256", "is not the origin of a page"},
-      {"embed=https://1.2.3", "is not the origin of a page"},
-      {"embed=https://a:", "is not the origin of a page"},
-      {"embed=https://a:0", "is not the origin of a page"},
-      {"embed=https://a:99999", "is not the origin of a page"},
-      {"embed=https://a:0444", "is not the origin of a page"},
-      {"embed=https://a:443", "is not the origin of a page"},
-      {"embed=http://a:80", "is not the origin of a page"},
       {"fit=banana", "fit takes no value but 1"},
       {"reset=no", "reset takes no value but 1"},
   };
   for (const auto& [query, words] : mistakes) {
-    const PageAddress address = read_page_address("?kiosk&" + query);
+    const PageAddress address = read("?kiosk&" + query);
     ASSERT_EQ(address.problems.size(), 1U) << query;
     EXPECT_NE(address.problems[0].find(words), std::string::npos) << query << ": " << address.problems[0];
     EXPECT_TRUE(address.is_kiosk);
@@ -79,29 +63,19 @@ TEST(PageAddress, TellsOfEachMistakeAndUsesTheRest) {
   }
 }
 
-TEST(PageAddress, TakesTheOriginsThatBrowsersWrite) {
-  for (const std::string origin : {"https://a", "http://a:443", "https://a:80", "http://localhost:8000",
-                                   "http://127.0.0.1:1", "https://a-b.c_d.org", "http://[::1]:8000", "http://[::]",
-                                   "https://[2001:db8::ff00:42:8329]", "http://[1:2:3:4:5:6:7:8]:65535"}) {
-    const PageAddress address = read_page_address("embed=" + origin);
-    EXPECT_TRUE(address.problems.empty()) << origin;
-    EXPECT_EQ(address.embedder, origin);
-  }
-}
-
 TEST(PageAddress, SwitchesOnWithoutAValueOrWithOneAlone) {
   for (const char* query : {"kiosk&fit&reset", "kiosk=&fit=&reset=", "kiosk=1&fit=1&reset=1"}) {
-    const PageAddress address = read_page_address(query);
+    const PageAddress address = read(query);
     EXPECT_TRUE(address.problems.empty() && address.is_kiosk && address.fits && address.is_for_new_person) << query;
   }
-  const PageAddress address = read_page_address("kiosk=false&fit=banana&reset=no");
+  const PageAddress address = read("kiosk=false&fit=banana&reset=no");
   EXPECT_FALSE(address.is_kiosk || address.fits || address.is_for_new_person);
   EXPECT_EQ(address.problems.size(), 3U);
 }
 
 // Who shared a link has not made a mistake.
 TEST(PageAddress, PassesOverWhatOthersAddToLinks) {
-  EXPECT_TRUE(read_page_address("?utm_source=mail&fbclid=abc").problems.empty());
+  EXPECT_TRUE(read("?utm_source=mail&fbclid=abc").problems.empty());
 }
 
 TEST(PageAddress, HasCharactersInPlaceOfPercentSigns) {
