@@ -246,10 +246,9 @@ void add_number(const StageLayer& layer, const LargeNumber& number, const Vector
   const auto& [content, layout, canvas] = layer;
   const StageLetters& letters = layout.letters;
   const Theme& theme = content.theme;
-  // Pale on the way from one strategy to another: then it is no strategy's own. Less of it could not be read well.
-  constexpr double pale = 0.65;
-  const Colour colour = stage_colour(content.moment, theme.strategy_text);
-  const Colour shown = content.moment.is_between() ? mix(theme.background, colour, pale) : colour;
+  // On the way from one strategy to another it is no strategy's own.
+  const Colour shown =
+      content.moment.is_between() ? theme.faint_text : stage_colour(content.moment, theme.strategy_text);
   const std::string digits = number.number.empty() ? "–" : number.number;
   const double width = content.measure(digits, letters.number).x;
   canvas.text(Role::number, corner + Vector<2>(layout.number_width - width, 0.0), digits, letters.number, shown);
