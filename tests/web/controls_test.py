@@ -191,15 +191,6 @@ class Controls(ControlsTest):
             self.browser.script("document.querySelector('#control-actions [aria-disabled]').click()")
             wait_for(lambda: self.text("notice") and told() == count, f"the refusal told {count} times")
 
-    def test_say_again_what_a_key_on_the_picture_cannot_do(self):
-        browser = self.open("?lesson=ghost")
-        self.wait_for_control("actions")
-        self.listen()
-        told = lambda: len([each for each in self.heard() if self.text("notice") in each])
-        for count in (1, 2):
-            browser.press("N")
-            wait_for(lambda: self.text("notice") and told() == count, f"the refusal told {count} times")
-
     def test_keys_in_them_are_not_the_programs(self):
         browser = self.open()
         before = browser.state()

@@ -296,7 +296,6 @@ void Page::frame() {
   follow_fingers();
   follow_keys();
   const bool is_later = now_s - looked_at_s_ >= look_every_s;
-  controls_.follow_notice(application_.session());
   if (is_later || controls_.has_news()) controls_.show(application_, is_later);
   if (is_later) {
     looked_at_s_ = now_s;

@@ -53,12 +53,6 @@ std::vector<StageControl> controls_of(Application& application) {
 
 }  // namespace
 
-void PageControls::follow_notice(const Session& session) {
-  const Notice notice = session.notice.value_or(Notice{});
-  repeats_notice_ = notice.words == notice_.words && (repeats_notice_ || notice.age_s < notice_.age_s);
-  notice_ = notice;
-}
-
 void PageControls::show(Application& application, bool is_later) {
   has_news_ = false;
   std::vector<StageControl> controls = controls_of(application);
@@ -76,7 +70,7 @@ void PageControls::show(Application& application, bool is_later) {
               {"text", css(theme.text)},
               {"field", css(theme.panel_field)},
               {"accent", css(theme.accent)}}}};
-  if (std::exchange(repeats_notice_, false)) json["repeats_notice"] = true;
+  if (std::exchange(repeats_notice_, false) && session.notice) json["repeats_notice"] = true;
   for (const StageControl& each : controls) json["controls"].push_back(json_of(each));
   std::string text = json.dump();
   if (text == shown_) return;
@@ -92,6 +86,8 @@ void PageControls::use(Application& application, std::string_view id, double val
   if (!control->refusal.empty()) {
     // A range or a choice has already moved: it is to be shown as it is.
     shown_.clear();
+    const std::optional<Notice>& notice = application.session().notice;
+    repeats_notice_ = notice && notice->words == control->refusal;
     return application.show_notice(control->refusal, false);
   }
   for (const Action& action : control->act(value)) application.act_at_once(action);

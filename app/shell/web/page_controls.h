@@ -13,9 +13,6 @@ namespace ghostforce {
 
 class PageControls {
  public:
-  // In each frame: a notice that is said again, in the same words, is told again.
-  void follow_notice(const Session& session);
-
   // Tells the script, if anything has changed. `is_later`: enough time has passed since the look before.
   void show(Application& application, bool is_later);
 
@@ -30,8 +27,7 @@ class PageControls {
   SettledTexts texts_;
   std::string shown_;
   bool has_news_ = false;
-  Notice notice_{};              // at the newest look
-  bool repeats_notice_ = false;  // it has been said again since the last show()
+  bool repeats_notice_ = false;  // the newest notice says what stood there already
 };
 
 }  // namespace ghostforce

@@ -189,7 +189,7 @@ function showControls(told) {
     if (!made.outer.isConnected) shown.delete(id);
   }
   keepFocus(focused, round);
-  if (told.repeats_notice && !news.some((each) => each.id === "notice")) news.push(told.controls.find((each) => each.id === "notice"));
+  if (told.repeats_notice) news.push(told.controls.find((each) => each.id === "notice"));
   tellNews();
 }
 
