@@ -28,7 +28,8 @@ make_debian_root() {
     log=$(basename "$folder")
     "${as_root[@]}" rm -rf --one-file-system "$scratch"
     # With the certificates that this machine's network wants trusted: the package ca-certificates takes them from there.
-    logged "$log" "${as_root[@]}" mmdebstrap --mode=root --aptopt='APT::Install-Recommends "false"' \
+    # What it mounts ends with it, even where it is killed; else the next call could not remove $scratch.
+    logged "$log" "${as_root[@]}" unshare --mount --propagation private mmdebstrap --mode=root --aptopt='APT::Install-Recommends "false"' \
       --essential-hook='cp -r /usr/local/share/ca-certificates "$1/usr/local/share/" || true' "${@:3}" \
       "$suite" "$scratch" || fail_with "$log" "The Debian system could not be made."
     "${as_root[@]}" mv -T "$scratch" "$folder"
