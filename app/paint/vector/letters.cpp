@@ -29,6 +29,12 @@ struct LabelFont::Handles {
   std::unique_ptr<cairo_font_options_t, Destroy<cairo_font_options_destroy>> options;
   std::unique_ptr<cairo_font_face_t, Destroy<cairo_font_face_destroy>> face;
   std::unique_ptr<cairo_scaled_font_t, Destroy<cairo_scaled_font_destroy>> measured;
+
+  double advance(const std::string& letter) const {
+    cairo_text_extents_t extents;
+    cairo_scaled_font_text_extents(measured.get(), letter.c_str(), &extents);
+    return extents.x_advance;
+  }
 };
 
 std::string drawable(std::string_view words) {
@@ -64,9 +70,16 @@ LabelFont::LabelFont(std::string_view file) : handles_(std::make_unique<Handles>
 LabelFont::~LabelFont() = default;
 
 double LabelFont::width(std::string_view text, double height) const {
-  cairo_text_extents_t extents;
-  cairo_scaled_font_text_extents(handles_->measured.get(), drawable(text).c_str(), &extents);
-  return extents.x_advance / measured_em * em_ * height;
+  double width = 0.0;
+  for (std::string_view rest = text; !rest.empty();) {
+    const auto [code, length] = first_character(rest);
+    if (length == 0 || is_control(code) || is_noncharacter(code)) return this->width(drawable(text), height);
+    const auto [known, is_new] = advances_.try_emplace(code);
+    if (is_new) known->second = handles_->advance(std::string(rest.substr(0, length)));
+    width += known->second;
+    rest.remove_prefix(length);
+  }
+  return width / measured_em * em_ * height;
 }
 
 void LabelFont::choose_on(cairo_t* target, double height) const {

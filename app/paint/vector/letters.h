@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 
 namespace ghostforce {
 
@@ -36,7 +37,8 @@ class LabelFont {
  private:
   struct Handles;
   std::unique_ptr<Handles> handles_;
-  double em_ = 1.0;  // of the height
+  mutable std::unordered_map<char32_t, double> advances_;  // Cairo takes long to look one up
+  double em_ = 1.0;                                        // of the height
   double ascent_ = 1.0;
 };
 
