@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -26,7 +27,7 @@ namespace {
 struct Wish {
   std::string_view name;
   std::string_view value;  // what has to stand behind its =, for who left it out; empty: nothing, or 1
-  std::function<void(std::string value, PageAddress& address, const IsOrigin& is_origin)> read;
+  std::function<void(std::string value, PageAddress& address)> read;
 };
 
 std::string read_wanted_language(std::string value) {
@@ -37,32 +38,17 @@ std::string read_wanted_language(std::string value) {
   return std::string(code);
 }
 
-std::string read_embedder(std::string value, const IsOrigin& is_origin) {
-  if (!is_origin(value)) {
-    refuse_part(
-        fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
-                    "and a port where it is not the usual one",
-                    quoted_text(value)));
-  }
-  return value;
-}
-
 const std::vector<Wish>& wishes() {
   static const std::vector<Wish> all{
-      {"lesson", "the name of a lesson",
-       [](std::string value, PageAddress& into, const IsOrigin&) { into.lesson = std::move(value); }},
+      {"lesson", "the name of a lesson", [](std::string value, PageAddress& into) { into.lesson = std::move(value); }},
       {"language", "en or es",
-       [](std::string value, PageAddress& into, const IsOrigin&) {
-         into.language = read_wanted_language(std::move(value));
-       }},
-      {"kiosk", "", [](const std::string&, PageAddress& into, const IsOrigin&) { into.is_kiosk = true; }},
-      {"reset", "", [](const std::string&, PageAddress& into, const IsOrigin&) { into.is_for_new_person = true; }},
-      {"fit", "", [](const std::string&, PageAddress& into, const IsOrigin&) { into.fits = true; }},
+       [](std::string value, PageAddress& into) { into.language = read_wanted_language(std::move(value)); }},
+      {"kiosk", "", [](const std::string&, PageAddress& into) { into.is_kiosk = true; }},
+      {"reset", "", [](const std::string&, PageAddress& into) { into.is_for_new_person = true; }},
+      {"fit", "", [](const std::string&, PageAddress& into) { into.fits = true; }},
       {"embed", "the origin of the page around this one",
-       [](std::string value, PageAddress& into, const IsOrigin& is_origin) {
-         into.embedder = read_embedder(std::move(value), is_origin);
-       }},
-      {"notices", "", [](const std::string&, PageAddress&, const IsOrigin&) {}},  // shown without the program
+       [](std::string value, PageAddress& into) { into.embedder = std::move(value); }},
+      {"notices", "", [](const std::string&, PageAddress&) {}},  // shown without the program
   };
   return all;
 }
@@ -72,7 +58,7 @@ bool is_of_others(std::string_view name) noexcept {
   return name.starts_with("utm_") || name.ends_with("clid");
 }
 
-void read_wish(std::string_view written, std::set<std::string>& read, PageAddress& address, const IsOrigin& is_origin) {
+void read_wish(std::string_view written, std::set<std::string>& read, PageAddress& address) {
   const std::string name = without_percent_signs(take_until(written, '='));
   const std::string value = without_percent_signs(written);
   if (is_of_others(name)) return;
@@ -88,7 +74,16 @@ void read_wish(std::string_view written, std::set<std::string>& read, PageAddres
   }
   if (const auto unshowable = unshowable_in(value, false))
     refuse_part(fmt::format("there is {} in {}", *unshowable, name));
-  wish->read(value, address, is_origin);
+  wish->read(value, address);
+}
+
+void check_embedder(std::string& embedder, const IsOrigin& is_origin) {
+  if (embedder.empty() || is_origin(embedder)) return;
+  refuse_part(
+      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, and "
+                  "a port where "
+                  "it is not the usual one",
+                  quoted_text(std::exchange(embedder, {}))));
 }
 
 }  // namespace
@@ -101,7 +96,8 @@ PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin)
     const std::string_view written = take_until(query, '&');
     if (written.empty()) continue;
     try {
-      read_wish(written, read, address, is_origin);
+      read_wish(written, read, address);
+      check_embedder(address.embedder, is_origin);
     } catch (const ReadError& error) {
       address.problems.push_back(
           fmt::format("'{}' in the address of this page cannot be used: {}", quoted_text(written), error.what()));

@@ -21,7 +21,7 @@ class AwakeProcessors {
         const sched_param none{};
         // Where that is not allowed, they would take time from others.
         if (sched_setscheduler(0, SCHED_IDLE, &none) != 0) return;
-        for (volatile unsigned turns = 0;;) turns = turns + 1;
+        keep_busy();
       });
     }
   }

@@ -43,4 +43,9 @@ class ForkedProcesses {
   std::vector<pid_t> processes_;
 };
 
+// What such a process does that only takes processor time.
+[[noreturn]] inline void keep_busy() {
+  for (volatile unsigned turns = 0;;) turns = turns + 1;
+}
+
 }  // namespace ghostforce

@@ -100,7 +100,7 @@ BusyProcesses::BusyProcesses(int count) {
   for (int i = 0; i < count; ++i) {
     processes_.add([] {
       set_real_time(0, 0);
-      for (volatile unsigned turns = 0;;) turns = turns + 1;
+      keep_busy();
     });
   }
 }

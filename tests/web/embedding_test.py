@@ -126,6 +126,16 @@ class Embedded(PageTest):
         self.assertNotIn("notice", state)
         self.assertNotIn("secret", str(self.browser.script("return window.told")))
 
+    def test_tells_that_a_file_is_dropped_but_not_its_name(self):
+        self.embed(self.origin_of(self.outer))
+        self.told("ready")
+        dropped = self.outer_folder / "a secret.toml"
+        dropped.write_text("this is no scene", encoding="utf-8")
+        self.browser.drop_file(dropped)
+        self.told("action", lambda each: each["action"].startswith("drop-files"))
+        self.ask(ask="state")
+        self.assertNotIn("secret", str(self.browser.script("return window.told")))
+
     def test_gives_the_keys_back_at_escape(self):
         self.embed(self.origin_of(self.outer))
         self.told("ready")
