@@ -12,6 +12,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "app/base/failure.h"
@@ -138,6 +139,23 @@ void refuse_report_among_cases(const CheckOptions& options) {
                                                   quoted_text(options.report, longest_path)));
 }
 
+// The files of a report, of those that are there.
+std::vector<std::string> report_files(const std::string& folder) {
+  std::vector<std::string> paths;
+  for (const std::filesystem::path& path : files_in(folder)) {
+    if (ReportFolder::may_write(path.string())) paths.push_back(path.string());
+  }
+  return paths;
+}
+
+void refuse_report_over_scenes(const CheckOptions& options, const std::vector<Case>& cases) {
+  const std::vector<std::string> problems = shown_by_cases(cases, report_files(options.report));
+  if (!problems.empty()) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("--report {}: {}", quoted_text(options.report, longest_path), fmt::join(problems, "\n")));
+  }
+}
+
 // The report's pictures are named after their cases.
 void refuse_names_too_long_for_report(const CheckReport& report) {
   constexpr std::size_t longest = 240;  // of the 255 bytes that a file's name may have
@@ -225,8 +243,9 @@ int update(const CheckOptions& options) {
     lines.write("nothing was stored; --yes stores without a question");
     return static_cast<int>(ExitCode::answer_is_no);
   }
-  for (const std::string& line : update_goldens(cases, chosen, options.renderer)) lines.write(line);
-  return static_cast<int>(ExitCode::done);
+  const StoredGoldens stored = update_goldens(cases, chosen, options.renderer);
+  for (const std::string& line : stored.lines) lines.write(line);
+  return static_cast<int>(stored.has_wrong_numbers ? ExitCode::answer_is_no : ExitCode::done);
 }
 
 int check(const CheckOptions& options) {
@@ -234,6 +253,7 @@ int check(const CheckOptions& options) {
   CheckReport report{
       .folder = options.folder, .to_folder = options.report, .cases = chosen_cases(cases, options.only, "--only")};
   refuse_report_among_cases(options);
+  refuse_report_over_scenes(options, cases);
   refuse_names_too_long_for_report(report);
   std::optional<ReportFolder> to_folder;
   if (!options.report.empty()) to_folder.emplace(options.report);
@@ -292,7 +312,13 @@ int check_any(CheckOptions& options) {
         "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
-  return options.updates ? update(options) : check(options);
+  if (options.updates) return update(options);
+  try {
+    return check(options);
+  } catch (...) {
+    if (!options.report.empty()) ReportFolder::remove_older(options.report);
+    throw;
+  }
 }
 
 }  // namespace
@@ -317,13 +343,7 @@ std::function<int()> attach_check(CLI::App& command, FileOptions& files) {
                           "Write report.html, junit.xml and the pictures of cases that fail into this folder")
                    ->check([](const std::string& folder) { return std::string(folder.empty() ? "name a folder" : ""); })
                    ->excludes(update_option),
-               [](const std::string& folder) {
-                 std::vector<std::string> paths;
-                 for (const std::filesystem::path& path : files_in(folder)) {
-                   if (ReportFolder::may_write(path.string())) paths.push_back(path.string());
-                 }
-                 return paths;
-               });
+               report_files);
   add_option(command, "--jobs N", options->jobs,
              fmt::format("Draw in N processes at once, 1 to {}; default: 1", most_jobs))
       ->check(whole_number_between(1, most_jobs))

@@ -1,11 +1,13 @@
 #include "app/cli/command.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
 
 #include <fmt/core.h>
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
@@ -67,7 +69,18 @@ bool SceneOptions::is_named() const {
 }
 
 Scene SceneOptions::load() const {
-  return load_scene(scene, overrides);
+  Scene loaded = load_scene(scene, overrides);
+  const GoalPath& path = loaded.goal;
+  if (path.times.back() > loaded.duration) {
+    say("note: the hand would be at its last waypoint after {} s, and the run ends after {} s; goal.times_s and "
+        "goal.duration_s are in seconds\n",
+        path.times.back(), loaded.duration);
+  }
+  const auto is_within_a_millimetre = [](const Vector<2>& point) { return glm::length(point) < 1.0 / mm_per_m; };
+  if (path.points.size() > 1 && std::ranges::all_of(path.points, is_within_a_millimetre)) {
+    say("note: the hand stays within a millimetre of the middle; goal.path_mm is in millimetres\n");
+  }
+  return loaded;
 }
 
 CLI::Validator suggests_keys(KeyKind kind) {

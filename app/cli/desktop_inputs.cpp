@@ -108,6 +108,14 @@ void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
       ->check(one_of(names));
 }
 
+void FalconSetUp::refuse_misbehaviour_of_others(std::string_view input) const {
+  if (misbehave.empty() || input == virtual_falcon_kind.name) return;
+  throw Failure(
+      ExitCode::wrong_call,
+      fmt::format("--misbehave is about the virtual Falcon, but --input is {}; add --input {}, or leave it out",
+                  quoted_text(input, longest_path), virtual_falcon_kind.name));
+}
+
 std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
   const auto path = firmware_path(firmware.empty() ? std::nullopt : std::optional<std::filesystem::path>(firmware));
   if (!path) return std::nullopt;

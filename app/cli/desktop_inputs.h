@@ -41,6 +41,9 @@ struct FalconSetUp {
 
   void attach(CLI::App& command, FileOptions& files);
 
+  // Throws Failure(wrong_call) where faults are asked of another input than the virtual Falcon.
+  void refuse_misbehaviour_of_others(std::string_view input) const;
+
   // Empty: no file is named and none is in the usual place. Throws Failure where there is one and it cannot be taken.
   std::optional<FirmwareImage> read_firmware_file() const;
 

@@ -111,6 +111,7 @@ int doctor(const DoctorOptions& options) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
   }
+  options.falcon.refuse_misbehaviour_of_others(options.input);
   const auto kinds = falcon_kinds(options.falcon.cable());
   const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
   if (options.measure) {
@@ -170,7 +171,8 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
           "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->check(number_between(0.0, 3600.0, "s"));
   add_option(command, "--input NAME", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
-      ->check(one_of(names_of(falcon_kinds({}))));
+      ->check(one_of(names_of(falcon_kinds({}))))
+      ->excludes(install);
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
       "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md");

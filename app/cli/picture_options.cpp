@@ -16,8 +16,10 @@ void PictureOptions::attach(CLI::App& command, bool with_all) {
                       : "full, naive or anisotropic: the strategy to start with; default: the scene's own")
       ->check(one_of(strategies));
   add_option(command, "--view FACE", view,
-             with_all ? "stage, what the window opens with, or workbench, with panels and numbers; default: workbench"
-                      : "stage or workbench; default: the one used last, at first the stage")
+             with_all
+                 ? "stage, what the window opens with, or workbench, with panels and numbers; default: workbench, and "
+                   "stage for a scene of format 2"
+                 : "stage or workbench; default: the one used last, at first the stage")
       ->check(one_of(names_of(face_catalog)));
   add_option(command, "--mode NAME", mode,
              "A mode of the stage: predict, why, landscape, round, ribbon or measure; default: none")

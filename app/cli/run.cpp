@@ -122,14 +122,6 @@ void refuse_goal_of_other_hand(const RunOptions& options) {
                   quoted_text(options.input, longest_path)));
 }
 
-void refuse_misbehaviour_of_others(const RunOptions& options) {
-  if (options.falcon.misbehave.empty() || options.input == virtual_falcon_kind.name) return;
-  throw Failure(
-      ExitCode::wrong_call,
-      fmt::format("--misbehave is about the virtual Falcon, but --input is {}; add --input {}, or leave it out",
-                  quoted_text(options.input, longest_path), virtual_falcon_kind.name));
-}
-
 // The hand of another file is not in the list of what the person did.
 void refuse_session_of_other_hand(const RunOptions& options) {
   if (!options.record_session || !options.input.starts_with(replay_begins())) return;
@@ -161,7 +153,7 @@ int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
-  refuse_misbehaviour_of_others(options);
+  options.falcon.refuse_misbehaviour_of_others(options.input);
   const std::shared_ptr<const Lesson> lesson = options.lesson.load();
   const bool is_kiosk = options.kiosk.is_on;
   StoredPreferences stored = is_kiosk ? for_visitors(load_preferences()) : load_preferences();

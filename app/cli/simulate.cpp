@@ -33,11 +33,6 @@ int simulate(const SimulateOptions& options) {
     ids.push_back(scene.settings.active);
   }
 
-  if (scene.goal.times.back() > scene.duration) {
-    say("note: the hand would be at its last waypoint after {} s, and the run ends after {} s; goal.times_s and "
-        "goal.duration_s are in seconds\n",
-        scene.goal.times.back(), scene.duration);
-  }
   OutputFile file(options.output);
   file.write(run_header(scene));
   write_played(file, "simulating", scene, state_at_start(scene.settings, goal_at(scene.goal, 0.0)), last_tick(scene),

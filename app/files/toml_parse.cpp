@@ -32,6 +32,29 @@ std::string plain(std::string_view description) {
   return quoted_text(description, longest_description);
 }
 
+// What a person has probably meant in this line, which TOML does not allow; empty: nothing that is known.
+std::string slip_in(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos) return "";
+  std::string_view value = line.substr(equals + 1);
+  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
+  const std::string_view word = value.substr(0, value.find_first_of(" \t\r#"));
+  const bool is_letter = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
+  if (is_letter && word.find_first_of("\"'=") == std::string_view::npos) {
+    const std::string shown = quoted_text(word);
+    return fmt::format("{} stands without quotes; write \"{}\"", shown, shown);
+  }
+  const std::size_t digits = value.find_first_not_of("+-0123456789");
+  return digits != 0 && digits < value.size() && value[digits] == ','
+             ? "a number has a comma in it; write a decimal point"
+             : "";
+}
+
+std::string_view line_of(std::string_view text, toml::source_index number) {
+  for (; number > 1; --number) text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  return text.substr(0, text.find('\n'));
+}
+
 // Looks at each line for itself: a name never spans lines. What it takes for a name inside a text of several lines is
 // none, and would need as many dots.
 std::optional<TomlProblem> find_too_many_dots(std::string_view text) {
@@ -72,7 +95,9 @@ ParsedToml parse_toml(std::string_view text) {
   try {
     return {toml::parse(text), std::nullopt};
   } catch (const toml::parse_error& error) {
-    return {{}, TomlProblem{error.source().begin, plain(error.description())}};
+    const toml::source_position place = error.source().begin;
+    const std::string slip = slip_in(line_of(text, place.line));
+    return {{}, TomlProblem{place, slip.empty() ? plain(error.description()) : slip}};
   }
 }
 

@@ -52,6 +52,14 @@ def said_by(*words):
 
 
 class Guides(unittest.TestCase):
+    def test_the_policy_of_the_page_is_that_of_the_guide(self):
+        page = (ROOT / "app/shell/web/page.html").read_text(encoding="utf-8")
+        own = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]+)">', page)[1]
+        guide = (ROOT / "docs/web.md").read_text(encoding="utf-8")
+        header = re.search(r"^Content-Security-Policy: (.*)$", guide, re.MULTILINE)[1]
+        # Who may show the page inside another one only a header can say.
+        self.assertEqual(own, header.partition("; frame-ancestors ")[0])
+
     def test_links_lead_somewhere(self):
         for page in PAGES:
             for link in LINK.findall(page.read_text(encoding="utf-8")):

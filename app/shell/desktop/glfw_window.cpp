@@ -290,9 +290,7 @@ void GlfwWindow::set_clipboard_text(const std::string& text) {
 
 std::string GlfwWindow::clipboard_text() const {
   if (x11_clipboard_) return x11_clipboard_->text();
-  if (wayland_clipboard_) {
-    if (std::optional<std::string> text = wayland_clipboard_->text()) return *std::move(text);
-  }
+  if (wayland_clipboard_) return wayland_clipboard_->text();
   const char* const text = glfwGetClipboardString(handle());
   return text == nullptr ? "" : text;
 }

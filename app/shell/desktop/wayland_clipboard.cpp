@@ -33,6 +33,11 @@ class ReadTool {
   pid_t process_;
 };
 
+[[noreturn]] void throw_tool_is_missing() {
+  throw Failure(ExitCode::file_trouble,
+                "wl-paste, which pastes text, cannot be started. Install the package wl-clipboard.");
+}
+
 std::string read_within_limits(int pipe, std::int64_t patience_ns) {
   const std::int64_t end_ns = monotonic_ns() + patience_ns;
   std::string text;
@@ -66,15 +71,15 @@ bool WaylandClipboard::copy(const std::string& text) {
   return true;
 }
 
-std::optional<std::string> WaylandClipboard::text() const {
+std::string WaylandClipboard::text() const {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) return std::nullopt;
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_tool_is_missing();
   const Descriptor reading(ends[0]);
   pid_t process = 0;
   {
     const Descriptor writing(ends[1]);
     if (start_tool({"wl-paste", "--no-newline", "--type", "text/plain"}, {.out = writing.number()}, process) != 0) {
-      return std::nullopt;
+      throw_tool_is_missing();
     }
   }
   const ReadTool tool(process);

@@ -5,7 +5,6 @@
 #include <sys/types.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,9 +23,9 @@ class WaylandClipboard {
   // after the program's end.
   bool copy(const std::string& text);
 
-  // "" where there is no text; empty where there is no such tool. Throws Failure(file_trouble), with what to do, where
-  // the owner does not answer or the text is too long.
-  std::optional<std::string> text() const;
+  // "" where there is no text. Throws Failure(file_trouble), with what to do, where there is no such tool, the owner
+  // does not answer or the text is too long.
+  std::string text() const;
 
   // Often: buries the tools that have ended.
   void poll();

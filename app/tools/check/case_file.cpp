@@ -65,6 +65,12 @@ std::vector<std::string> read_overrides(const std::optional<TomlValue>& set) {
   return overrides;
 }
 
+// Where a scene or a lesson lies that a case names; empty for one that is shipped.
+std::string path_of(const std::string& name, std::span<const std::string_view> shipped,
+                    const std::filesystem::path& folder) {
+  return is_one_of(name, shipped) ? "" : (folder / name).string();
+}
+
 // What the scene's reader tells becomes a problem of the key that names the scene, or of the one value set.
 Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set, const std::filesystem::path& folder) {
   const std::optional<std::string> name = named.text();
@@ -152,10 +158,9 @@ struct CaseReading {
 // What the lesson's reader tells becomes a problem of the key that names the lesson.
 void show_lesson_of(const TomlValue& named, CaseReading& at) {
   const std::optional<TomlValue> language = at.reader.find("", "language");
-  const bool is_shipped = is_one_of(*at.lesson, shipped_lesson_names());
+  const std::string path = at.summary.shown_path = path_of(*at.lesson, shipped_lesson_names(), at.folder);
   try {
-    LessonPicture picture{.lesson = std::make_shared<const Lesson>(
-                              load_lesson(is_shipped ? *at.lesson : (at.folder / *at.lesson).string())),
+    LessonPicture picture{.lesson = std::make_shared<const Lesson>(load_lesson(path.empty() ? *at.lesson : path)),
                           .step = at.step - 1,
                           .answer = at.answer};
     if (const std::string problem = find_problem(picture); !problem.empty()) return named.refuse(problem, "");
@@ -261,7 +266,10 @@ std::vector<CaseKey> keys_into(CaseReading& at) {
   const auto origin_into = [&at](std::string GoldenOrigin::*member) {
     return [&at, member](Value value) { (*at.summary.origin).*member = value.text().value_or(""); };
   };
-  const auto scene = [&](Value value) { request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder); };
+  const auto scene = [&](Value value) {
+    at.summary.shown_path = path_of(value.text().value_or(""), shipped_scene_names(), at.folder);
+    request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder);
+  };
   const auto mask = [&](Value value) { at.summary.mask = read_mask(value, request.width, request.height); };
   const auto part = [&](Value value) { request.part = value.word(part_words) == 1U ? Part::scene : Part::window; };
   const auto answer = [&](Value value) {

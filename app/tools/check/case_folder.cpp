@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -122,6 +123,21 @@ std::vector<Case> read_case_folder(const std::string& folder) {
   find_problems_between(cases, problems);
   if (!problems.empty()) throw ReadError(ReadError::Kind::wrong, problems);
   return cases;
+}
+
+std::vector<std::string> shown_by_cases(const std::vector<Case>& cases, const std::vector<std::string>& paths) {
+  std::error_code unknown;
+  std::map<fs::path, std::string> targets;  // and how each is called
+  for (const std::string& path : paths) targets.try_emplace(fs::weakly_canonical(path, unknown), path);
+  std::vector<std::string> lines;
+  for (const Case& each : cases) {
+    if (each.shown_path.empty()) continue;
+    const auto target = targets.find(fs::weakly_canonical(each.shown_path, unknown));
+    if (target == targets.end()) continue;
+    lines.push_back(fmt::format("{} would be overwritten, but it is what the case {} shows; move it, or rename it",
+                                shown(target->second), quoted_text(each.name)));
+  }
+  return lines;
 }
 
 const Case* find_case(const std::vector<Case>& cases, std::string_view name) noexcept {

@@ -23,12 +23,19 @@ const Case* find_case(const std::vector<Case>& cases, std::string_view name) noe
 std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std::vector<std::string>& names,
                                       std::string_view option);
 
+// A line for each case whose scene or lesson is in one of these files, whatever links lead there: who writes to them
+// would lose it.
+std::vector<std::string> shown_by_cases(const std::vector<Case>& cases, const std::vector<std::string>& paths);
+
 // Draws these cases, and then writes NAME.png and the table [golden] of NAME.toml for each, all of them or none. A
-// golden that is equal to what is drawn stays as it is. `renderer`: empty for the usual one. Returns a line per case
-// about what was done. Throws Failure: wrong_call for a case without a golden, before anything is drawn; file_trouble;
+// golden that is equal to what is drawn stays as it is. `renderer`: empty for the usual one. Throws Failure: wrong_call for a case without a golden, before anything is drawn; file_trouble;
 // no_display; interrupted.
-std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
-                                        std::optional<Renderer> renderer);
+struct StoredGoldens {
+  std::vector<std::string> lines;  // per case, about what was done
+  bool has_wrong_numbers = false;  // that a case states: no golden mends them
+};
+StoredGoldens update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
+                             std::optional<Renderer> renderer);
 
 // The one command that stores a case's picture as it is drawn now.
 std::string update_command(std::string_view folder, std::string_view name);

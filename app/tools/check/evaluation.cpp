@@ -20,7 +20,6 @@
 #include "app/base/interruption.h"
 #include "app/base/quoted.h"
 #include "app/files/descriptor.h"
-#include "app/files/output_file.h"
 #include "app/shell/desktop/renderer.h"
 #include "app/tools/check/rendered_cases.h"
 
@@ -157,8 +156,8 @@ class Worker {
 
  private:
   [[noreturn]] static void fail(int error) {
-    throw Failure(ExitCode::file_trouble,
-                  fmt::format("another process cannot be started: {}; choose fewer --jobs", reason_of(error)));
+    throw Failure(ExitCode::file_trouble, fmt::format("another process cannot be started: {}; choose fewer --jobs",
+                                                      std::generic_category().message(error)));
   }
 
   [[noreturn]] void has_ended() {

@@ -78,8 +78,16 @@ std::string other_renderer_words(const GoldenOrigin& golden, const GoldenOrigin&
     if (origin.renderer.empty()) return fmt::format("Mesa {}", origin.mesa);
     return origin.mesa.empty() ? origin.renderer : fmt::format("{}, Mesa {}", origin.renderer, origin.mesa);
   };
-  return fmt::format("the cause is probably another renderer: the golden was drawn by {}, this picture by {}",
+  return fmt::format("the cause may be another renderer: the golden was drawn by {}, this picture by {}",
                      quoted_text(words(golden), longest_path), quoted_text(words(present), longest_path));
+}
+
+std::string other_origin_words(const GoldenOrigin& golden, const GoldenOrigin& present) {
+  const std::string words = other_renderer_words(golden, present);
+  if (!words.empty() || golden.version.empty() || golden.version == present.version) return words;
+  return fmt::format(
+      "the cause may be another version of this program: the golden was drawn by version {}, this picture by {}",
+      quoted_text(golden.version), present.version);
 }
 
 std::string with_origin(const std::string& case_text, const GoldenOrigin& origin, std::string_view shown_path) {

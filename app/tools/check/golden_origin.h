@@ -23,6 +23,9 @@ GoldenOrigin present_origin(std::string_view graphics);
 // it is not known by what the golden was.
 std::string other_renderer_words(const GoldenOrigin& golden, const GoldenOrigin& present);
 
+// The same, or that it was drawn by another version of this program.
+std::string other_origin_words(const GoldenOrigin& golden, const GoldenOrigin& present);
+
 // A case's text with this table in it, and with each byte of the rest as it was. Throws Failure(wrong_call) where the
 // table is written in a way that this cannot change; `shown_path` is what the message calls the file.
 std::string with_origin(const std::string& case_text, const GoldenOrigin& origin, std::string_view shown_path);

@@ -12,6 +12,7 @@
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
+#include "app/files/input_file.h"
 #include "app/files/xml_text.h"
 #include "embedded_report_style.h"
 #include "ghostforce_version.h"
@@ -239,6 +240,16 @@ bool ReportFolder::may_write(std::string_view path) {
   const std::string_view name = path.substr(path.rfind('/') + 1);
   return name == page_name || name == junit_name ||
          std::ranges::any_of(picture_kinds, [&](const PictureKind& kind) { return name.ends_with(kind.ending); });
+}
+
+void ReportFolder::remove_older(const std::string& folder) {
+  std::error_code ignored;
+  for (const std::string_view name : {page_name, junit_name}) {
+    const std::string path = path_in(folder, name);
+    const std::string text = file_contents(path).text;
+    const bool is_of_a_check = text.starts_with('<') && text.find("ghostforce") != std::string::npos;
+    if (is_of_a_check) std::filesystem::remove(path, ignored);
+  }
 }
 
 void ReportFolder::take_pictures(Verdict& verdict) {

@@ -20,6 +20,7 @@
 #include "app/files/png_writer.h"
 #include "app/files/read_error.h"
 #include "app/tools/check/rendered_cases.h"
+#include "app/tools/check/verdict.h"
 
 namespace ghostforce {
 namespace {
@@ -44,8 +45,10 @@ bool leads_out(const std::filesystem::path& path) {
 
 // Drawing takes long, a pipe would take what is drawn for ever, and who sends a folder of cases with a link in it could
 // have any file overwritten.
-void refuse_what_cannot_be_written(const std::vector<const Case*>& chosen) {
-  std::vector<std::string> problems;
+void refuse_what_cannot_be_written(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
+  std::vector<std::string> written;
+  for (const Case* const each : chosen) written.insert(written.end(), {each->golden_path(), each->path});
+  std::vector<std::string> problems = shown_by_cases(all, written);
   std::map<std::filesystem::path, std::string> targets;  // and by which path each was reached
   for (const Case* const each : chosen) {
     const std::string golden = each->golden_path();
@@ -95,13 +98,13 @@ void add_file(std::deque<OutputFile>& files, const std::string& path, const std:
 
 }  // namespace
 
-std::vector<std::string> update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
-                                        std::optional<Renderer> renderer) {
+StoredGoldens update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
+                             std::optional<Renderer> renderer) {
   refuse_cases_without_golden(chosen);
-  refuse_what_cannot_be_written(chosen);
+  refuse_what_cannot_be_written(all, chosen);
   RenderedCases rendered(all, chosen, renderer);
   std::deque<OutputFile> files;
-  std::vector<std::string> lines;
+  StoredGoldens stored;
   Progress progress("drawing", static_cast<std::int64_t>(chosen.size()), true);
   for (const Case* const each : chosen) {
     stop_if_interrupted();
@@ -115,13 +118,17 @@ std::vector<std::string> update_goldens(const std::vector<Case>& all, const std:
       if (after != before) add_file(files, each->path, after);
     }
     const std::string shown = quoted_text(path, longest_path);
-    lines.push_back(is_equal ? fmt::format("{} is already identical and stays as it is", shown)
-                             : fmt::format("wrote {}; look at it before you commit it", shown));
-    progress.at(static_cast<std::int64_t>(lines.size()));
+    stored.lines.push_back(is_equal ? fmt::format("{} is already identical and stays as it is", shown)
+                                    : fmt::format("wrote {}; look at it before you commit it", shown));
+    if (const std::string wrong = wrong_numbers(check_numbers(*each, drawn.numbers)); !wrong.empty()) {
+      stored.has_wrong_numbers = true;
+      stored.lines.back() += fmt::format("; {} still fails: {}", quoted_text(each->name), wrong);
+    }
+    progress.at(static_cast<std::int64_t>(stored.lines.size()));
   }
   stop_if_interrupted();
   OutputFile::commit_all(files);
-  return lines;
+  return stored;
 }
 
 std::string update_command(std::string_view folder, std::string_view name) {

@@ -71,25 +71,30 @@ void compare(const Case& checked, const Mask& mask, const Image& expected, const
   verdict.passes = is_within(comparison, verdict.tolerance) == (checked.expectation != Expectation::mismatch);
   verdict.reason = words_about(checked, comparison, verdict.tolerance);
   // No renderer changes a picture's size.
-  if (!verdict.passes && checked.origin) verdict.remark = other_renderer_words(*checked.origin, drawn.origin);
-}
-
-// What is wrong with the numbers; empty: nothing.
-std::string compare_numbers(const Case& checked, const StrategySnapshot<2>& actual, Verdict& verdict) {
-  std::vector<std::string> wrong;
-  for (std::size_t i = 0; i < quantity_count; ++i) {
-    if (!checked.numbers[i]) continue;
-    const Quantity& quantity = quantity_catalog()[i];
-    const CheckedNumber& number = verdict.numbers[i].emplace(
-        CheckedNumber{*checked.numbers[i], quantity.value(actual), checked.number_tolerance});
-    if (number.passes()) continue;
-    wrong.push_back(
-        fmt::format("{} is {}, not {} ± {}", quantity.column, number.actual, number.expected, number.tolerance));
-  }
-  return fmt::format("{}", fmt::join(wrong, "; "));
+  if (!verdict.passes && checked.origin) verdict.remark = other_origin_words(*checked.origin, drawn.origin);
 }
 
 }  // namespace
+
+CheckedNumbers check_numbers(const Case& checked, const StrategySnapshot<2>& actual) {
+  CheckedNumbers numbers{};
+  for (std::size_t i = 0; i < quantity_count; ++i) {
+    if (!checked.numbers[i]) continue;
+    numbers[i] = CheckedNumber{*checked.numbers[i], quantity_catalog()[i].value(actual), checked.number_tolerance};
+  }
+  return numbers;
+}
+
+std::string wrong_numbers(const CheckedNumbers& numbers) {
+  std::vector<std::string> wrong;
+  for (std::size_t i = 0; i < quantity_count; ++i) {
+    const std::optional<CheckedNumber>& number = numbers[i];
+    if (!number || number->passes()) continue;
+    wrong.push_back(fmt::format("{} is {}, not {} ± {}", quantity_catalog()[i].column, number->actual, number->expected,
+                                number->tolerance));
+  }
+  return fmt::format("{}", fmt::join(wrong, "; "));
+}
 
 bool is_for_graphics_card(const Case& checked, std::optional<Renderer> renderer, const GoldenOrigin& present) {
   return renderer == Renderer::gpu && checked.expectation == Expectation::golden && !checked.has_tolerance &&
@@ -107,7 +112,8 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
   verdict.tolerance = verdict.is_lenient ? graphics_card_tolerance : checked.tolerance;
   const Mask mask(checked.width, checked.height, checked.mask);
   if (expected) compare(checked, mask, *expected, drawn, verdict);
-  const std::string wrong_numbers = compare_numbers(checked, drawn.numbers, verdict);
+  verdict.numbers = check_numbers(checked, drawn.numbers);
+  const std::string wrong = wrong_numbers(verdict.numbers);
   if (!verdict.passes) {
     if (checked.expectation == Expectation::golden && kind_instead_of_file(checked.golden_path()).empty()) {
       verdict.remedy = update_command(folder, checked.name);
@@ -121,10 +127,10 @@ Verdict evaluate(const Case& checked, RenderedCases& rendered, std::string_view 
     }
   }
   const bool has_number = std::ranges::any_of(verdict.numbers, [](const auto& number) { return number.has_value(); });
-  if (has_number && wrong_numbers.empty()) verdict.reason += "; the numbers are as stated";
+  if (has_number && wrong.empty()) verdict.reason += "; the numbers are as stated";
   // A new golden mends no number.
-  if (!wrong_numbers.empty()) {
-    verdict.reason = verdict.passes ? wrong_numbers : fmt::format("{}; {}", wrong_numbers, verdict.reason);
+  if (!wrong.empty()) {
+    verdict.reason = verdict.passes ? wrong : fmt::format("{}; {}", wrong, verdict.reason);
     verdict.passes = false;
   }
   verdict.duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

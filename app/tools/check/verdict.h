@@ -40,6 +40,14 @@ struct CheckedNumber {
   bool passes() const noexcept { return std::abs(actual - expected) <= tolerance; }
 };
 
+// In the order of quantity_catalog(); none: the case does not state it.
+using CheckedNumbers = std::array<std::optional<CheckedNumber>, quantity_count>;
+
+CheckedNumbers check_numbers(const Case& checked, const StrategySnapshot<2>& actual);
+
+// What is wrong with them; empty: nothing.
+std::string wrong_numbers(const CheckedNumbers& numbers);
+
 struct Verdict {
   std::string name;
   bool passes = false;
@@ -50,8 +58,7 @@ struct Verdict {
   std::string remark;                    // a probable cause; may be empty
   std::string remedy;                    // the command that updates the golden; empty where none does or none is needed
   std::optional<Comparison> comparison;  // none: there was nothing to compare with
-  // In the order of quantity_catalog(); none: the case does not state it.
-  std::array<std::optional<CheckedNumber>, quantity_count> numbers{};
+  CheckedNumbers numbers{};
   GoldenOrigin drawn_by;
   double duration_s = 0.0;
   VerdictPictures pictures;

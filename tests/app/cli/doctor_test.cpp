@@ -122,6 +122,8 @@ TEST(Doctor, RefusesWrongWords) {
                                                 {"--wait", "soon"},
                                                 {"--wait", "-1"},
                                                 {"--misbehave", "nicely"},
+                                                {"--misbehave", "silence"},  // of which device?
+                                                {"--install-udev", "--input", "virtual-falcon"},
                                                 {"--falcon-usb-id", "falcon"},
                                                 {"--firmware", "/nowhere/firmware.bin"},
                                                 {"wall45"}}) {

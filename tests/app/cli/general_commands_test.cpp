@@ -243,5 +243,16 @@ TEST(GeneralCommands, TheGuidesOwnSceneAndDeviceAreAsItSays) {
   EXPECT_NE(guide.find(fmt::format("slides {:.1f} mm", slide_mm), from), std::string::npos) << slide_mm;
 }
 
+// Numbers in another unit give a result that looks like one.
+TEST(SceneNotes, TellOfAHandThatHardlyMovesOrNeverArrives) {
+  for (const std::string command : {"equilibrium", "simulate"}) {
+    const auto said = [&](const std::string& change) { return run({command, "wall45", "--set", change}).err; };
+    EXPECT_EQ(run({command, "wall45"}).err, "");
+    EXPECT_NE(said("goal.path_mm=[[0.02, 0.02], [0.015, -0.015], [0.01, 0]]").find("goal.path_mm is in millimetres"),
+              std::string::npos);
+    EXPECT_NE(said("goal.duration_s=0.5").find("goal.duration_s are in seconds"), std::string::npos);
+  }
+}
+
 }  // namespace
 }  // namespace ghostforce::general_commands_test

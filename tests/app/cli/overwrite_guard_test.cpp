@@ -98,6 +98,24 @@ TEST_F(OwnInputs, AreRefusedWhereAReportWouldBe) {
   expect_refused("check . --report report", "a.toml");
 }
 
+// A scene may be called anything, as what a command writes is.
+TEST_F(OwnInputs, AreTheScenesThatACheckShows) {
+  fs::create_directory(folder_ / "cases");
+  fs::create_directory(folder_ / "report");
+  for (const std::string_view scene : {"cases/a.png", "report/a.actual.png", "report/junit.xml"}) {
+    SCOPED_TRACE(scene);
+    fs::copy_file(folder_ / "scene.toml", folder_ / scene);
+    write_whole(folder_ / "cases/a.toml", fmt::format("scene = \"../{}\"\nsize = [320, 240]\n", scene));
+    const bool is_golden = scene == "cases/a.png";
+    const Outcome outcome = in_folder(is_golden ? "check cases --update a" : "check cases --report report");
+    EXPECT_EQ(outcome.exit_code, is_golden ? 4 : 2) << outcome.err;
+    EXPECT_NE(outcome.err.find("would be overwritten, but it is what the case a shows"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(read_whole(folder_ / scene), read_whole(folder_ / "scene.toml"));
+    fs::remove(folder_ / scene);
+  }
+}
+
 // What a case shows is read, too; and a link that leads nowhere yet leads two outputs to one file.
 TEST_F(OwnInputs, AreNotReachedByLinksInAFolderForOutputs) {
   fs::create_directory(folder_ / "cases");

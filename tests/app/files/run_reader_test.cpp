@@ -224,6 +224,9 @@ std::string words_of_refusal(const std::string& text) {
 
 TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
   const std::string text = recording();
+  const std::size_t far_at = text.find("naive,0.002,");
+  const std::string far_goal_before = text.substr(far_at, text.find(',', far_at + 12) - far_at);
+  const std::string far_goal = "naive,0.002,-1.6e13";
   const std::string long_change = "rendering.k_r_N_per_m=" + std::string(5000, ' ') + "812.5";
   struct Case {
     std::string_view what;
@@ -244,6 +247,7 @@ TEST(RunReader, RefusesADamagedLineWithItsNumberAndWhatIsWrong) {
            Case{"naive,0.002,", "naive,0.006,", "t_s = 0.002 does not come after the 0.006 of line", 1},
            Case{"naive,0.002,", "full,0.002,", "t_s = 0.002 does not come after the 0.002 of line"},
            Case{"naive,0.002,", "naive,0.002,1e-9,", "the row has 20 values"},
+           Case{far_goal_before, far_goal, "is '-1.6e13', which is farther away than 10 m"},
            Case{"given,simulated", "given,real", "device_kind is 'real', which is neither simulated nor measured"},
            Case{"given,simulated", "gone,simulated", "goal_kind is 'gone', which is neither given nor estimated"},
            Case{",0,given,simulated,", ",x,given,simulated,", "active is 'x', which is not a finite number"},
@@ -363,6 +367,22 @@ TEST(RunReader, SaysWhatItCannotKnow) {
   EXPECT_TRUE(has_warning(no_scene, "its scene is missing or incomplete"));
   EXPECT_EQ(no_scene.ticks.size(), 9U);
   EXPECT_TRUE(no_scene.settings.empty());
+}
+
+// A hostile file would else have TOML read a million times.
+TEST(RunReader, TakesAnyNumberOfChangesOfNumbersAndWordsButFewOfAnythingElse) {
+  const std::string text = recording();
+  const std::size_t rows = text.find("\nfull,0.005,");
+  const auto with = [&](std::string_view change, int count) {
+    std::string changes;
+    for (int i = 0; i < count; ++i) changes += fmt::format("\n# set t_s=0.003 {}", change);
+    return words_of_refusal(text.substr(0, rows) + changes + text.substr(rows));
+  };
+  EXPECT_EQ(with("rendering.strategy=\"naive\"", 30'000), "");
+  EXPECT_EQ(with("rendering.tracking_ratio=\"optimal\"", 30'000), "");
+  EXPECT_EQ(with("device.mass_kg=0.2", 30'000), "");
+  EXPECT_EQ(with("wall.point_mm=[1, 2]", 100), "");
+  EXPECT_NE(with("wall.point_mm=[1, 2]", 10'001).find("there are more changes of this kind"), std::string::npos);
 }
 
 TEST(RunReader, TakesResetsOfAFileThatHasLostItsComments) {

@@ -140,6 +140,8 @@ INSTANTIATE_TEST_SUITE_P(
                 {"the table [wall] is missing; write it with point_mm, normal_deg"}},
         BadFile{"NoQuoteAtTheEnd", "A title\"", "A title", "2:18", {"does not end on its line; add the closing quote"}},
         BadFile{"NoBracketAtTheEnd", "[1.0, -2]", "[1.0, -2", "6:1", {"has no end; add a comma or a ]"}},
+        BadFile{"NoQuotes", "\"naive\"", "naive", "17:", {"naive stands without quotes; write \"naive\""}},
+        BadFile{"DecimalComma", "= 135.0", "= 135,0", "7:", {"a number has a comma in it; write a decimal point"}},
         BadFile{"NoFormat", "format = 1\n", "", "1:1", {"the key format is missing", "format = 1"}},
         BadFile{"LaterFormat",
                 "format = 1",

@@ -1,5 +1,7 @@
 // `ghostforce check --update` for all cases that fail, and numbers beside pictures.
+#include <filesystem>
 #include <map>
+#include <regex>
 #include <string>
 #include <string_view>
 
@@ -125,6 +127,43 @@ TEST(CheckNumbers, MustBeWhatTheCaseStates) {
   EXPECT_TRUE(contains(wrong.out, fmt::format("FAIL wall  ghost_force_N is {}, not", ghost)));
   EXPECT_EQ(wrong.err.find("--update"), std::string::npos) << "no new golden mends a number";
   EXPECT_EQ(check_with(fmt::format("ghost_force_N = {}\ntolerance = 1e-3", ghost + 0.9e-3)).exit_code, 0);
+}
+
+TEST(CheckNumbers, AreTheCasesOwnToMendAndUpdateSaysSo) {
+  const Cases cases({{"wall", naive_with("ghost_force_N = 0")}});
+  const Outcome stored = cases.check({"--update", "wall"});
+  EXPECT_EQ(stored.exit_code, 1) << "the case fails still";
+  EXPECT_TRUE(contains(stored.out, "wall.png; look at it before you commit it; wall still fails: ghost_force_N is "));
+  EXPECT_TRUE(std::filesystem::exists(cases / "wall.png"));
+}
+
+// Pages of an older check would pass for this one's, where a job collects them whatever happens.
+TEST(CheckReport, OfAnOlderCheckDoesNotOutliveOneThatFails) {
+  const Cases cases({{"wall", std::string(small_case)}});
+  cases.update("wall");
+  const auto expect_pages = [&](bool are_there) {
+    for (const char* const page : {"report/report.html", "report/junit.xml"}) {
+      EXPECT_EQ(std::filesystem::exists(cases.beside(page)), are_there) << page;
+    }
+  };
+  EXPECT_EQ(cases.check({"--report", cases.beside("report")}).exit_code, 0);
+  expect_pages(true);
+  const std::string good = read_whole(cases / "wall.toml");
+  write_whole(cases / "wall.toml", replaced(good, "size", "Size"));
+  EXPECT_EQ(cases.check({"--report", cases.beside("report")}).exit_code, 2);
+  expect_pages(false);
+  write_whole(cases.beside("report/report.html"), "mine");
+  EXPECT_EQ(cases.check({"--report", cases.beside("report")}).exit_code, 2);
+  EXPECT_TRUE(std::filesystem::exists(cases.beside("report/report.html"))) << "no check has written that";
+}
+
+TEST(Check, SaysThatAnotherVersionMayBeTheCause) {
+  const Cases cases({{"wall", std::string(small_case)}});
+  cases.update("wall");
+  const std::string text = read_whole(cases / "wall.toml");
+  write_whole(cases / "wall.toml",
+              "strategy = \"full\"\n" + std::regex_replace(text, std::regex("version = .*"), "version = \"0.0.1\""));
+  EXPECT_TRUE(contains(cases.check().err, "the golden was drawn by version 0.0.1, this picture by"));
 }
 
 // The case of docs/check.md, whose ghost force the README tells too.
