@@ -1,13 +1,13 @@
 #include "app/cli/command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iterator>
 #include <sstream>
 
 #include <fmt/core.h>
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 
 #include "app/base/interruption.h"
 #include "app/base/progress.h"
@@ -76,7 +76,9 @@ Scene SceneOptions::load() const {
         "goal.duration_s are in seconds\n",
         path.times.back(), loaded.duration);
   }
-  const auto is_within_a_millimetre = [](const Vector<2>& point) { return glm::length(point) < 1.0 / mm_per_m; };
+  const auto is_within_a_millimetre = [](const Vector<2>& point) {
+    return std::hypot(point.x, point.y) < 1.0 / mm_per_m;
+  };
   if (path.points.size() > 1 && std::ranges::all_of(path.points, is_within_a_millimetre)) {
     say("note: the hand stays within a millimetre of the middle; goal.path_mm is in millimetres\n");
   }

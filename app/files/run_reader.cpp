@@ -247,36 +247,6 @@ class RunReader {
     scene_text_.clear();
   }
 
-  // Most changes are of a number or of a word, and need no TOML. False: it is neither, or out of range.
-  bool change_quickly(const SceneKey& key, std::string_view text) {
-    const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
-    return is_quoted ? change_word(key, text.substr(1, text.size() - 2)) : change_number(key, text);
-  }
-
-  // Only in format 1 no word decides which other keys there are.
-  bool change_word(const SceneKey& key, std::string_view word) {
-    if (const auto* const number = std::get_if<OptionalNumberKey>(&key.value)) {
-      if (number->word_for_empty != word) return false;
-      number->in(changed_) = std::nullopt;
-      return true;
-    }
-    const auto* const choice = std::get_if<ChoiceKey>(&key.value);
-    if (choice == nullptr || key.format != 1) return false;
-    const auto chosen = std::ranges::find(choice->words, word);
-    if (chosen == choice->words.end()) return false;
-    choice->set(changed_, static_cast<std::size_t>(chosen - choice->words.begin()));
-    return true;
-  }
-
-  bool change_number(const SceneKey& key, std::string_view text) {
-    const std::optional<NumberLimits> limits = limits_of(key);
-    const std::optional<double> number = limits ? read_number(text) : std::nullopt;
-    if (!number || !(*number >= limits->least && *number <= limits->greatest)) return false;
-    if (limits->whole && *number != std::trunc(*number)) return false;
-    set_number(changed_, key, *number);
-    return true;
-  }
-
   void take_set(std::string_view rest) {
     if (!take_time(rest)) damaged("the time of the change cannot be read");
     if (!run_.scene) return;  // nothing to change
@@ -284,7 +254,7 @@ class RunReader {
     const SceneKey* const key = find_scene_key(name);
     if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is not a setting", quoted_text(name)));
     if (rest.size() > longest_change) damaged("the change is longer than one can be");
-    if (change_quickly(*key, rest.substr(std::min(name.size() + 1, rest.size())))) {
+    if (set_plain_value(changed_, *key, rest.substr(std::min(name.size() + 1, rest.size())))) {
       settings_ = changed_.settings;
       return;
     }

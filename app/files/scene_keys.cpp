@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <variant>
@@ -9,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "app/base/number.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 
@@ -48,6 +50,30 @@ std::optional<std::string> nearest_scene_key(std::string_view table, std::string
 
 std::string ask(std::string_view key) {
   return fmt::format("; did you mean '{}'?", key);
+}
+
+// Only in format 1 no word decides which other keys there are.
+bool set_word(Scene& scene, const SceneKey& key, std::string_view word) {
+  if (const auto* const number = std::get_if<OptionalNumberKey>(&key.value)) {
+    if (number->word_for_empty != word) return false;
+    number->in(scene) = std::nullopt;
+    return true;
+  }
+  const auto* const choice = std::get_if<ChoiceKey>(&key.value);
+  if (choice == nullptr || key.format != 1) return false;
+  const auto chosen = std::ranges::find(choice->words, word);
+  if (chosen == choice->words.end()) return false;
+  choice->set(scene, static_cast<std::size_t>(chosen - choice->words.begin()));
+  return true;
+}
+
+bool set_number_of(Scene& scene, const SceneKey& key, std::string_view text) {
+  const std::optional<NumberLimits> limits = limits_of(key);
+  const std::optional<double> number = limits ? read_number(text) : std::nullopt;
+  if (!number || !(*number >= limits->least && *number <= limits->greatest)) return false;
+  if (limits->whole && *number != std::trunc(*number)) return false;
+  set_number(scene, key, *number);
+  return true;
 }
 
 }  // namespace
@@ -116,6 +142,11 @@ std::optional<NumberLimits> limits_of(const SceneKey& key) noexcept {
   }
   const auto* const optional = std::get_if<OptionalNumberKey>(&key.value);
   return optional == nullptr ? std::nullopt : std::optional(NumberLimits{optional->least, optional->greatest, unit});
+}
+
+bool set_plain_value(Scene& scene, const SceneKey& key, std::string_view text) {
+  const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
+  return is_quoted ? set_word(scene, key, text.substr(1, text.size() - 2)) : set_number_of(scene, key, text);
 }
 
 }  // namespace ghostforce

@@ -369,22 +369,6 @@ TEST(RunReader, SaysWhatItCannotKnow) {
   EXPECT_TRUE(no_scene.settings.empty());
 }
 
-// A hostile file would else have TOML read a million times.
-TEST(RunReader, TakesAnyNumberOfChangesOfNumbersAndWordsButFewOfAnythingElse) {
-  const std::string text = recording();
-  const std::size_t rows = text.find("\nfull,0.005,");
-  const auto with = [&](std::string_view change, int count) {
-    std::string changes;
-    for (int i = 0; i < count; ++i) changes += fmt::format("\n# set t_s=0.003 {}", change);
-    return words_of_refusal(text.substr(0, rows) + changes + text.substr(rows));
-  };
-  EXPECT_EQ(with("rendering.strategy=\"naive\"", 30'000), "");
-  EXPECT_EQ(with("rendering.tracking_ratio=\"optimal\"", 30'000), "");
-  EXPECT_EQ(with("device.mass_kg=0.2", 30'000), "");
-  EXPECT_EQ(with("wall.point_mm=[1, 2]", 100), "");
-  EXPECT_NE(with("wall.point_mm=[1, 2]", 10'001).find("there are more changes of this kind"), std::string::npos);
-}
-
 TEST(RunReader, TakesResetsOfAFileThatHasLostItsComments) {
   const std::string rows = std::string(run_columns) + "\nfull,5,0,0,0,0,0,0,0,0\nfull,3,1,0,0,0,0,0,0,0\n";
   const auto run = read_run(rows, "f");
