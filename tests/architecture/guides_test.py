@@ -7,6 +7,7 @@ import pathlib
 import re
 import shlex
 import subprocess
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -19,6 +20,12 @@ WORDS = r"(?:\./demo|ghostforce)((?: [^\s`|#>]+)+)"
 CALL_IN_BLOCK = re.compile(r"^ *(?:\$ )?(?:build/release/bin/)?" + WORDS, re.MULTILINE)
 CALL_IN_TEXT = re.compile("`" + WORDS)
 OPTION = re.compile(r"--[a-z][a-z-]*")
+# What a reader can do where they read it: a line of a block that is no data, or a cell that begins a row of a table.
+SHOWN_BLOCK = re.compile(r"^```(?!toml|yaml|json|csv|html|cmake|cpp)\w*\n(.*?)^```", re.MULTILINE | re.DOTALL)
+LINE = re.compile(r"^ *(?:\$ )?(?:\./demo|ghostforce)( [^#\n]+)", re.MULTILINE)
+ROW = re.compile(r"^\| `(?:\./demo|ghostforce)( [^`]+)`", re.MULTILINE)
+# That wants a window, a device, a shell's loop or pipe, a tool that may be missing, or a file that is the reader's own.
+NOT_HERE = re.compile(r"^ *(?:$|-|run\b|doctor\b)|[$|…]|\.(?:mp4|webm)\b|\b(?:my[-_]|visit|steep|pictures|from-a-browser)|\*")
 SCRIPT = re.compile(r"^ *(?:\$ )?(?:bash )?(\.?/?[\w./-]+)", re.MULTILINE)
 
 
@@ -46,12 +53,33 @@ def calls(page):
             yield found.split()
 
 
+def lines_to_try(page):
+    """From the page's beginning to its end: later ones read what earlier ones have written."""
+    text = page.read_text(encoding="utf-8").replace("\\\n", " ")
+    blocks = [(block.start(), line) for block in SHOWN_BLOCK.finditer(text) for line in LINE.findall(block[1])]
+    rows = [(row.start(), row[1]) for row in ROW.finditer(text)]
+    return [line for _, line in sorted(blocks + rows, key=lambda found: found[0]) if not NOT_HERE.search(line)]
+
+
 def said_by(*words):
     answer = subprocess.run([os.environ["GHOSTFORCE"], *words], capture_output=True, text=True, check=True)
     return answer.stdout
 
 
 class Guides(unittest.TestCase):
+    def test_commands_do_what_their_page_promises(self):
+        count = 0
+        for page in PAGES[:1] + GUIDES:
+            with tempfile.TemporaryDirectory(prefix="ghostforce-guide-") as folder:
+                (pathlib.Path(folder) / "docs").mkdir()  # where the pictures of the guides lie
+                for line in lines_to_try(page):
+                    words = [os.environ["GHOSTFORCE"], *shlex.split(line)]
+                    env = {**os.environ, "HOME": folder}
+                    answer = subprocess.run(words, cwd=folder, env=env, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+                    self.assertEqual(answer.returncode, 0, f"{name_of(page)}:{line}\n{answer.stderr}")
+                    count += 1
+        self.assertGreater(count, 30)
+
     def test_the_policy_of_the_page_is_that_of_the_guide(self):
         page = (ROOT / "app/shell/web/page.html").read_text(encoding="utf-8")
         own = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]+)">', page)[1]
