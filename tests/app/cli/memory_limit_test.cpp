@@ -2,6 +2,7 @@
 // hangs nor takes that for a bug.
 #include <unistd.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -79,16 +80,25 @@ TEST_F(MemoryLimit, NoCommandCrashesUnderIt) {
 
 // Of root's processes nobody counts how many there are.
 TEST_F(MemoryLimit, APictureIsDrawnWhereNoThreadMayBeStarted) {
-  const std::string as_another = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
-  const auto run_as_another = [&](const std::string& first, std::vector<std::string> words) {
-    words.insert(words.begin(),
-                 {"-c", as_another + "/bin/sh -c '" + first + "exec \"$@\"' sh \"$@\"", "sh", ghostforce_program()});
+  const auto run_as_another = [&](const std::string& limit, std::vector<std::string> words) {
+    const std::string as_another = geteuid() == 0 ? "setpriv --reuid=65534 --regid=65534 --clear-groups " : "";
+    words.insert(words.begin(), {"-c", "exec " + as_another + limit + " \"$@\"", "sh", ghostforce_program()});
     return run_program("/bin/sh", words);
   };
   if (run_as_another("", {"--version"}).exit_code != 0) GTEST_SKIP() << "only this user may start the program";
-  const Outcome outcome = run_as_another("ulimit -u 1; ", {"render", "wall45", "-o", "-"});
+  const std::string no_thread = "prlimit --nproc=1";
+  const Outcome outcome = run_as_another(no_thread, {"render", "wall45", "-o", "-"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(outcome.out.starts_with("\x89PNG")) << outcome.err;
+
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
+  write_whole(folder / "case.toml", "scene = \"wall45\"\nsize = [320, 240]\n");
+  const Outcome checked = run_as_another(no_thread, {"check", folder.path()});
+  EXPECT_EQ(checked.exit_code, 1) << checked.err;
+  EXPECT_NE(checked.out.find("FAIL case  there is no golden"), std::string::npos) << checked.out;
+  const Outcome of_two = run_as_another(no_thread, {"check", folder.path(), "--jobs", "2"});
+  EXPECT_EQ(of_two.exit_code, 8) << of_two.err;
+  EXPECT_EQ(of_two.err, "another process cannot be started: Resource temporarily unavailable; choose fewer --jobs\n");
 }
 
 }  // namespace
