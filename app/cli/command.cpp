@@ -69,12 +69,15 @@ bool SceneOptions::is_named() const {
 }
 
 Scene SceneOptions::load() const {
-  Scene loaded = load_scene(scene, overrides);
-  const GoalPath& path = loaded.goal;
-  if (path.times.back() > loaded.duration) {
+  return load_scene(scene, overrides);
+}
+
+void tell_of_doubtful_units(const Scene& scene) {
+  const GoalPath& path = scene.goal;
+  if (path.times.back() > scene.duration) {
     say("note: the hand would be at its last waypoint after {} s, and the run ends after {} s; goal.times_s and "
         "goal.duration_s are in seconds\n",
-        path.times.back(), loaded.duration);
+        path.times.back(), scene.duration);
   }
   const auto is_within_a_millimetre = [](const Vector<2>& point) {
     return std::hypot(point.x, point.y) < 1.0 / mm_per_m;
@@ -82,7 +85,6 @@ Scene SceneOptions::load() const {
   if (path.points.size() > 1 && std::ranges::all_of(path.points, is_within_a_millimetre)) {
     say("note: the hand stays within a millimetre of the middle; goal.path_mm is in millimetres\n");
   }
-  return loaded;
 }
 
 CLI::Validator suggests_keys(KeyKind kind) {
