@@ -13,6 +13,7 @@
 #include "app/base/progress.h"
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
+#include "app/base/words.h"
 #include "app/cli/option.h"
 #include "app/files/run.h"
 #include "app/state/set_up.h"
