@@ -6,7 +6,6 @@
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
-#include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/cli/option.h"
 #include "app/files/output_file.h"
