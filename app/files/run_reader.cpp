@@ -237,7 +237,6 @@ class RunReader {
       return;
     }
     run_.settings = {run_.scene->settings};
-    settings_ = run_.scene->settings;
     // Settings alone, so that a change is quick to read however long path and words are.
     changed_ = *run_.scene;
     changed_.title = changed_.about = "";
@@ -254,15 +253,11 @@ class RunReader {
     const SceneKey* const key = find_scene_key(name);
     if (key == nullptr || !is_setting(*key)) damaged(fmt::format("'{}' is not a setting", quoted_text(name)));
     if (rest.size() > longest_change) damaged("the change is longer than one can be");
-    if (set_plain_value(changed_, *key, rest.substr(std::min(name.size() + 1, rest.size())))) {
-      settings_ = changed_.settings;
-      return;
-    }
+    if (set_plain_value(changed_, *key, rest.substr(std::min(name.size() + 1, rest.size())))) return;
     if (++read_changes_ > most_read_changes) damaged("there are more changes of this kind than a run can have");
     const std::array change{std::string(rest)};
     try {
-      settings_ = changed_.settings =
-          read_scene(scene_text(changed_), run_.name, change, SceneChecks::all_but_workspace).settings;
+      changed_.settings = read_scene(scene_text(changed_), run_.name, change, SceneChecks::all_but_workspace).settings;
     } catch (const ReadError& error) {
       damaged(error.problems().front().what);
     }
@@ -349,7 +344,7 @@ class RunReader {
     open_.loop_s = number[loop_column];
     if (is_measured) open_.measured = *id;
     // The strategy on a real device is the active one, also where its row is not there.
-    if (is_estimated && !open_.measured && run_.scene) open_.measured = settings_.active;
+    if (is_estimated && !open_.measured && run_.scene) open_.measured = changed_.settings.active;
     open_.rows[index_of(*id)] = row;
   }
 
@@ -372,9 +367,9 @@ class RunReader {
     open_.line = line_number_;
     ++tick_count_;
     if (run_.scene) {
-      if (settings_ != run_.settings.back()) run_.settings.push_back(settings_);
+      if (changed_.settings != run_.settings.back()) run_.settings.push_back(changed_.settings);
       open_.settings = run_.settings.size() - 1;
-      if (!length_.takes(open_.tick, settings_.rate)) throw too_long(run_, open_);
+      if (!length_.takes(open_.tick, changed_.settings.rate)) throw too_long(run_, open_);
     }
     if (pending_state_) {
       open_.state = static_cast<std::uint32_t>(run_.states.size());
@@ -384,11 +379,11 @@ class RunReader {
 
   std::int64_t tick_at(double time_s) const {
     if (!run_.scene) return tick_count_;
-    const double tick = time_s * settings_.rate;
+    const double tick = time_s * changed_.settings.rate;
     // Written so that what is no tick's time is damaged, however far off.
     if (!(tick >= -time_tolerance && tick <= double{last_tick_ever} &&
           std::abs(tick - std::round(tick)) <= time_tolerance)) {
-      damaged(fmt::format("t_s = {} is not the time of a tick at {} Hz", time_s, settings_.rate));
+      damaged(fmt::format("t_s = {} is not the time of a tick at {} Hz", time_s, changed_.settings.rate));
     }
     return std::llround(tick);
   }
@@ -408,7 +403,6 @@ class RunReader {
   Scene changed_;              // the header's, with the settings in use
   std::string scene_problem_;  // why there is none; empty: it was read, or is not told
   int read_changes_ = 0;
-  Settings settings_;  // in use
   std::optional<RunState> pending_state_;
 
   std::array<std::size_t, all_columns> place_{};  // where in a row each value stands; past its end: nowhere

@@ -1,8 +1,12 @@
 #include "app/files/toml_parse.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <string>
 #include <string_view>
+
+#include <fmt/format.h>
 
 #include "app/base/quoted.h"
 
@@ -32,6 +36,8 @@ std::string plain(std::string_view description) {
   return quoted_text(description, longest_description);
 }
 
+constexpr std::array<std::string_view, 4> toml_words{"true", "false", "inf", "nan"};
+
 // What a person has probably meant in this line, which TOML does not allow; empty: nothing that is known.
 std::string slip_in(std::string_view line) {
   const std::size_t equals = line.find('=');
@@ -40,7 +46,8 @@ std::string slip_in(std::string_view line) {
   value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
   const std::string_view word = value.substr(0, value.find_first_of(" \t\r#"));
   const bool is_letter = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
-  if (is_letter && word.find_first_of("\"'=") == std::string_view::npos) {
+  const bool is_tomls = std::ranges::find(toml_words, word) != toml_words.end();  // what is wrong comes after it
+  if (is_letter && !is_tomls && word.find_first_of("\"'=") == std::string_view::npos) {
     const std::string shown = quoted_text(word);
     return fmt::format("{} stands without quotes; write \"{}\"", shown, shown);
   }

@@ -80,9 +80,8 @@ void read_wish(std::string_view written, std::set<std::string>& read, PageAddres
 void check_embedder(std::string& embedder, const IsOrigin& is_origin) {
   if (embedder.empty() || is_origin(embedder)) return;
   refuse_part(
-      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, and "
-                  "a port where "
-                  "it is not the usual one",
+      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
+                  "and a port where it is not the usual one",
                   quoted_text(std::exchange(embedder, {}))));
 }
 

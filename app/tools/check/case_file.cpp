@@ -76,15 +76,14 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   const std::optional<std::string> name = named.text();
   const std::vector<std::string> overrides = read_overrides(set);
   if (!name) return {};
-  const bool is_shipped = is_one_of(*name, shipped_scene_names());
-  const std::filesystem::path beside = folder / *name;
+  const std::string path = path_of(*name, shipped_scene_names(), folder);
   std::error_code unknown;
-  if (!is_shipped && std::filesystem::status(beside, unknown).type() == std::filesystem::file_type::not_found) {
+  if (!path.empty() && std::filesystem::status(path, unknown).type() == std::filesystem::file_type::not_found) {
     named.refuse(fmt::format("no scene named '{}'", quoted_text(*name, longest_path)), scene_hint(*name, folder));
     return {};
   }
   try {
-    return load_scene(is_shipped ? *name : beside.string(), overrides);
+    return load_scene(path.empty() ? *name : path, overrides);
   } catch (const ReadError& error) {
     for (ReadProblem problem : error.problems()) {
       const std::string remedy = std::exchange(problem.remedy, "");

@@ -27,13 +27,14 @@ std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std:
 // would lose it.
 std::vector<std::string> shown_by_cases(const std::vector<Case>& cases, const std::vector<std::string>& paths);
 
-// Draws these cases, and then writes NAME.png and the table [golden] of NAME.toml for each, all of them or none. A
-// golden that is equal to what is drawn stays as it is. `renderer`: empty for the usual one. Throws Failure: wrong_call for a case without a golden, before anything is drawn; file_trouble;
-// no_display; interrupted.
 struct StoredGoldens {
   std::vector<std::string> lines;  // per case, about what was done
   bool has_wrong_numbers = false;  // that a case states: no golden mends them
 };
+
+// Draws these cases, and then writes NAME.png and the table [golden] of NAME.toml for each, all of them or none. A
+// golden that is equal to what is drawn stays as it is. `renderer`: empty for the usual one. Throws Failure: wrong_call
+// for a case without a golden, before anything is drawn; file_trouble; no_display; interrupted.
 StoredGoldens update_goldens(const std::vector<Case>& all, const std::vector<const Case*>& chosen,
                              std::optional<Renderer> renderer);
 

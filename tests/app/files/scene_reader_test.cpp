@@ -141,6 +141,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"NoQuoteAtTheEnd", "A title\"", "A title", "2:18", {"does not end on its line; add the closing quote"}},
         BadFile{"NoBracketAtTheEnd", "[1.0, -2]", "[1.0, -2", "6:1", {"has no end; add a comma or a ]"}},
         BadFile{"NoQuotes", "\"naive\"", "naive", "16:14", {"naive stands without quotes; write \"naive\""}},
+        BadFile{"TrueAndMore", "= 135.0", "= true x", "6:19", {"expected a comment or whitespace"}},
         BadFile{"DecimalComma", "= 135.0", "= 135,0", "6:17", {"a number has a comma in it; write a decimal point"}},
         BadFile{"NoFormat", "format = 1\n", "", "1:1", {"the key format is missing", "format = 1"}},
         BadFile{"LaterFormat",
