@@ -240,6 +240,7 @@ void Application::update(double interval_s) {
   follow_own_wish(interval_s);
   late_ticks_.note(report_.loop.late_ticks, link_->is_opening(), interval_s);
   if (const std::string problem = clipboard_tool_.poll(); !problem.empty()) show_notice(problem, true);
+  if (const std::string problem = window_.take_clipboard_problem(); !problem.empty()) show_notice(problem, true);
   // Nobody stops the time of a real hand.
   if (report_.snapshot.measured) session_.paused = false;
   if (report_.restarts != command_.restarts_asked || report_.snapshot.tick == 0) {
@@ -322,11 +323,9 @@ void Application::hear(const Action& action) {
 void Application::act(const Action& action) {
   Action whole = action;
   if (auto* const paste = std::get_if<PasteSetUp>(&whole); paste != nullptr && paste->line.empty() && !is_replay_) {
-    try {
-      paste->line = window_.clipboard_text();
-    } catch (const Failure& failure) {
-      return show_notice(failure.what(), true);
-    }
+    std::optional<std::string> text = window_.clipboard_text();
+    if (!text) return;
+    paste->line = *std::move(text);
   }
   if (watch_actions_) watch_actions_(clock_s_, whole);
   apply_now(whole);

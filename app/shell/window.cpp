@@ -147,6 +147,19 @@ void Window::hand_on(const KeyEvent& event) {
   if (event.character != 0) io.AddInputCharacter(event.character);
 }
 
+// The last one tells Dear ImGui that Ctrl is up again, which it may have been for long.
+void Window::add_paste() {
+  constexpr KeyPress paste{key::v, modifier::control, false};
+  add_key_event(paste, nullptr, true);
+  add_key_event(paste, nullptr, false);
+  add_key_event({key::left_control, modifier::control, false}, nullptr, false);
+}
+
+void Window::note_clipboard_problem(std::string problem) {
+  note_change();
+  clipboard_problem_ = std::move(problem);
+}
+
 void Window::add_dropped_files(std::vector<std::string> paths) {
   note_change();
   std::ranges::move(paths, std::back_inserter(dropped_files_));

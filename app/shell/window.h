@@ -8,7 +8,9 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <imgui.h>
@@ -81,8 +83,10 @@ class Window {
 
   // For other programs to paste.
   virtual void set_clipboard_text(const std::string& text) = 0;
-  // Empty where there is none. Throws Failure where the program that owns it does not give it.
-  virtual std::string clipboard_text() const = 0;
+  // "" where the clipboard has none. Empty: it is being read, and once the text is there the window tells Ctrl+V again.
+  virtual std::optional<std::string> clipboard_text() = 0;
+  // Why the text that was asked for does not come, and what to do, once; empty: nothing is wrong.
+  std::string take_clipboard_problem() noexcept { return std::exchange(clipboard_problem_, {}); }
   // The desktop that a tool of the system would have to speak to.
   virtual DisplayKind display_kind() const = 0;
 
@@ -165,6 +169,10 @@ class Window {
   // A character was typed (Unicode): by the key that went down last, if it comes right after it, else by an input
   // method.
   void add_character(std::uint32_t character);
+  // The clipboard's text is there: Ctrl+V, as if the person pressed it now.
+  void add_paste();
+  // The clipboard's text does not come.
+  void note_clipboard_problem(std::string problem);
   // Paths of files that can be opened.
   void add_dropped_files(std::vector<std::string> paths);
 
@@ -176,6 +184,7 @@ class Window {
   std::deque<KeyEvent> key_events_;
   bool awaits_character_ = false;  // of the newest of them it is not known yet what it types
   std::vector<std::string> dropped_files_;
+  std::string clipboard_problem_;
   bool is_stirred_ = false;  // since the last poll
   Touch touch_;              // since the last take_touch
 };

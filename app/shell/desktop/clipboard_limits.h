@@ -7,8 +7,8 @@
 
 namespace ghostforce {
 
-// Half of what a window may stall before the motors fade.
-inline constexpr std::int64_t clipboard_patience_ns = 250'000'000;
+// As long as somebody waits for what was pasted, or for a window to close.
+inline constexpr std::int64_t clipboard_patience_ns = 1'000'000'000;
 inline constexpr std::uint32_t most_clipboard_bytes = 1 << 20;
 
 [[noreturn]] inline void throw_clipboard_is_silent() {

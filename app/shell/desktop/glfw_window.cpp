@@ -1,6 +1,8 @@
 #include "app/shell/desktop/glfw_window.h"
 
+#include <chrono>
 #include <cmath>
+#include <utility>
 
 #include <GLFW/glfw3.h>
 #include <fmt/format.h>
@@ -52,12 +54,10 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::ope
   };
   platform.Platform_GetClipboardTextFn = [](ImGuiContext*) -> const char* {
     auto* const window = static_cast<GlfwWindow*>(ImGui::GetPlatformIO().Platform_ClipboardUserData);
-    try {
-      window->pasted_ = window->clipboard_text();
-    } catch (const Failure&) {
-      return nullptr;  // nothing is pasted into the field
-    }
-    return window->pasted_.c_str();
+    std::optional<std::string> text = window->clipboard_text();
+    if (!text) return nullptr;  // nothing is pasted into the field yet
+    window->field_text_ = *std::move(text);
+    return window->field_text_.c_str();
   };
 }
 
@@ -219,8 +219,10 @@ void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
 }
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
-  window_of(handle).add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT},
-                                  glfwGetKeyName(key, scancode), action != GLFW_RELEASE);
+  GlfwWindow& window = window_of(handle);
+  if (action == GLFW_PRESS) window.pasted_.reset();
+  window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT},
+                       glfwGetKeyName(key, scancode), action != GLFW_RELEASE);
 }
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
@@ -244,6 +246,7 @@ void GlfwWindow::take_events(double wait_s) {
     glfwPollEvents();
   }
   if (wayland_clipboard_) wayland_clipboard_->poll();
+  take_text_read();
   const DisplayWatch* const watch = opengl_.watch();
   end_if_display_is_lost(watch != nullptr ? watch->loss() : DisplayLoss::none);
 }
@@ -288,11 +291,32 @@ void GlfwWindow::set_clipboard_text(const std::string& text) {
   glfwSetClipboardString(handle(), text.c_str());
 }
 
-std::string GlfwWindow::clipboard_text() const {
-  if (x11_clipboard_) return x11_clipboard_->text();
-  if (wayland_clipboard_) return wayland_clipboard_->text();
-  const char* const text = glfwGetClipboardString(handle());
-  return text == nullptr ? "" : text;
+// By a thread of its own: the text's owner is another program, and neither the frames nor the motors wait for it.
+std::optional<std::string> GlfwWindow::clipboard_text() {
+  if (!x11_clipboard_ && !wayland_clipboard_) {
+    const char* const text = glfwGetClipboardString(handle());
+    return text == nullptr ? "" : text;
+  }
+  if (pasted_) return std::exchange(pasted_, std::nullopt);
+  if (reading_.valid()) return std::nullopt;
+  std::packaged_task<std::string()> task(
+      x11_clipboard_ ? [] { return X11Clipboard::text(); } : [] { return WaylandClipboard::text(); });
+  reading_ = task.get_future();
+  reader_ = std::jthread([task = std::move(task)]() mutable {
+    task();
+    glfwPostEmptyEvent();
+  });
+  return std::nullopt;
+}
+
+void GlfwWindow::take_text_read() {
+  if (!reading_.valid() || reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  try {
+    pasted_ = reading_.get();
+    add_paste();
+  } catch (const Failure& failure) {
+    note_clipboard_problem(failure.what());
+  }
 }
 
 DisplayKind GlfwWindow::display_kind() const {

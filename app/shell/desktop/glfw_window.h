@@ -3,9 +3,11 @@
 // thread, between GLFW's beginning and its end.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
+#include <thread>
 
 #include "app/paint/canvas.h"
 #include "app/shell/desktop/opengl_window.h"
@@ -41,7 +43,7 @@ class GlfwWindow : public Window {
   void restore(int width, int height) override;
   WindowSize restored_size() const override;
   void set_clipboard_text(const std::string& text) override;
-  std::string clipboard_text() const override;
+  std::optional<std::string> clipboard_text() override;
   DisplayKind display_kind() const override;
   std::unique_ptr<AudienceWindow> open_audience(const std::string& title) override;
 
@@ -65,11 +67,15 @@ class GlfwWindow : public Window {
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   void fit_canvas();
+  void take_text_read();
 
   OpenGlWindow opengl_;
   std::optional<X11Clipboard> x11_clipboard_;  // after GLFW, which it needs
   std::optional<WaylandClipboard> wayland_clipboard_;
-  std::string pasted_;                     // into a field of Dear ImGui
+  std::future<std::string> reading_;       // of the clipboard; without a state: nobody has asked
+  std::jthread reader_;                    // waits at most as long as a reading may
+  std::optional<std::string> pasted_;      // until the next key: what was read, which whoever asked has not taken yet
+  std::string field_text_;                 // pasted into a field of Dear ImGui
   std::optional<gl::Canvas> canvas_;       // offscreen
   std::optional<gl::Renderbuffer> depth_;  // of the canvas
   bool was_told_of_focus_ = true;

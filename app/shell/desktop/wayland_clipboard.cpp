@@ -71,7 +71,7 @@ bool WaylandClipboard::copy(const std::string& text) {
   return true;
 }
 
-std::string WaylandClipboard::text() const {
+std::string WaylandClipboard::text(std::int64_t patience_ns) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_tool_is_missing();
   const Descriptor reading(ends[0]);
@@ -83,7 +83,7 @@ std::string WaylandClipboard::text() const {
     }
   }
   const ReadTool tool(process);
-  return read_within_limits(reading.number(), patience_ns_);
+  return read_within_limits(reading.number(), patience_ns);
 }
 
 void WaylandClipboard::poll() {

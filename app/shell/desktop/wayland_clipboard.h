@@ -1,5 +1,6 @@
 // Text on a Wayland desktop's clipboard, by the desktop's own tools wl-copy and wl-paste, which run beside the program:
-// the text's owner is another program, which may be frozen, and GLFW would wait for it for good. UI thread.
+// the text's owner is another program, which may be frozen, and GLFW would wait for it for good. UI thread, but for
+// text().
 #pragma once
 
 #include <sys/types.h>
@@ -14,8 +15,7 @@ namespace ghostforce {
 
 class WaylandClipboard {
  public:
-  // `patience_ns`: for so long it waits for a text.
-  explicit WaylandClipboard(std::int64_t patience_ns = clipboard_patience_ns) : patience_ns_(patience_ns) {}
+  WaylandClipboard() = default;
   WaylandClipboard(const WaylandClipboard&) = delete;
   WaylandClipboard& operator=(const WaylandClipboard&) = delete;
 
@@ -24,14 +24,13 @@ class WaylandClipboard {
   bool copy(const std::string& text);
 
   // "" where there is no text. Throws Failure(file_trouble), with what to do, where there is no such tool, the owner
-  // does not answer or the text is too long.
-  std::string text() const;
+  // does not answer for `patience_ns` or the text is too long. Any thread.
+  static std::string text(std::int64_t patience_ns = clipboard_patience_ns);
 
   // Often: buries the tools that have ended.
   void poll();
 
  private:
-  std::int64_t patience_ns_;
   std::vector<pid_t> copies_;  // of wl-copy, that have not ended yet
 };
 

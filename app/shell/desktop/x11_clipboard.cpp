@@ -89,17 +89,14 @@ X11Clipboard::~X11Clipboard() {
 
 void X11Clipboard::copy(GLFWwindow* window, const std::string& text) {
   glfwSetClipboardString(window, text.c_str());  // returns once the server has done it
-  copied_ = text;
   const SelectionReader reader;
   owner_ = reader.owner(reader.atom("CLIPBOARD"));
 }
 
-std::string X11Clipboard::text() const {
+std::string X11Clipboard::text() {
   const SelectionReader reader;
   const xcb_atom_t clipboard = reader.atom("CLIPBOARD");
-  const std::uint32_t owner = reader.owner(clipboard);
-  if (owner == XCB_WINDOW_NONE) return {};
-  if (owner == owner_) return copied_;
+  if (reader.owner(clipboard) == XCB_WINDOW_NONE) return {};
   const std::optional<xcb_atom_t> property = reader.ask(clipboard, reader.atom("UTF8_STRING"));
   if (!property) throw_clipboard_is_silent();
   if (*property == XCB_ATOM_NONE) return {};

@@ -228,7 +228,7 @@ void HtmlWindow::set_clipboard_text(const std::string& text) {
   browser::copy_text(text);
 }
 
-std::string HtmlWindow::clipboard_text() const {
+std::optional<std::string> HtmlWindow::clipboard_text() {
   return browser::pasted_text();
 }
 
@@ -246,11 +246,7 @@ void HtmlWindow::take_events(double /*wait_s*/) {
     emscripten_set_canvas_element_size(canvas, pixels.width, pixels.height);
     note_change();
   }
-  if (browser::take_paste()) {
-    constexpr KeyPress paste{key::v, modifier::control, false};
-    add_key_event(paste, nullptr, true);
-    add_key_event(paste, nullptr, false);
-  }
+  if (browser::take_paste()) add_paste();
   touches_.advance(browser::clock_s());
   if (FileAnswer chosen = take_chosen_files(); !chosen.paths.empty()) add_dropped_files(std::move(chosen.paths));
 }

@@ -48,7 +48,7 @@ class HtmlWindow final : public Window {
   bool is_full_screen() const override;
   bool has_focus() const override;
   void set_clipboard_text(const std::string& text) override;
-  std::string clipboard_text() const override;
+  std::optional<std::string> clipboard_text() override;
   DisplayKind display_kind() const override { return DisplayKind::none; }
 
  protected:

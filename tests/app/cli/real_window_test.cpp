@@ -225,6 +225,24 @@ TEST(RealWindow, ClosesByItselfWhenAsked) {
   EXPECT_EQ(program.end(0), 0);
 }
 
+TEST(RealWindow, PastesWhatAnotherProgramHasCopiedAndWhatItselfHas) {
+  const Display display(1280, 800);
+  const std::string name = display.environment().front().substr(std::string("DISPLAY=").size());
+  XClient other(name);
+  other.own("CLIPBOARD");
+  BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }));
+  display.act({"key", "ctrl+v"});
+  other.answer_with("ghostforce run wall45 --strategy anisotropic --view workbench");
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  display.act({"key", "ctrl+c"});
+  display.act({"key", "1"});
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::full); }));
+  display.act({"key", "ctrl+v"});
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  EXPECT_EQ(program.end(SIGTERM), 130);
+}
+
 // Whoever owns the clipboard, and whoever would keep it, is frozen.
 TEST(RealWindow, EndsWhereTheClipboardAnswersNobody) {
   const Display display(1280, 800);

@@ -30,9 +30,9 @@ class WaylandClipboardTest : public testing::Test {
     EXPECT_EQ(waitpid(-1, nullptr, WNOHANG), -1);
     EXPECT_EQ(errno, ECHILD);
   }
-  static std::string problem_of(const WaylandClipboard& clipboard) {
+  static std::string problem_of_reading(std::int64_t patience_ns) {
     try {
-      clipboard.text();
+      WaylandClipboard::text(patience_ns);
     } catch (const Failure& failure) {
       return failure.what();
     }
@@ -46,24 +46,24 @@ class WaylandClipboardTest : public testing::Test {
 TEST_F(WaylandClipboardTest, ReadsWhatTheToolPrints) {
   make_tool("wl-paste", "echo \"$*\"; /bin/cat " + (folder_ / "text"));
   write_whole(folder_ / "text", "ghostforce run wall45");
-  EXPECT_EQ(WaylandClipboard(for_long_ns).text(), "--no-newline --type text/plain\nghostforce run wall45");
+  EXPECT_EQ(WaylandClipboard::text(for_long_ns), "--no-newline --type text/plain\nghostforce run wall45");
   expect_no_child();
 }
 
 TEST_F(WaylandClipboardTest, HasNoTextWhereTheToolHasNone) {
   make_tool("wl-paste", "echo 'Nothing is copied' >&2; exit 1");
-  EXPECT_EQ(WaylandClipboard(for_long_ns).text(), "");
+  EXPECT_EQ(WaylandClipboard::text(for_long_ns), "");
 }
 
 TEST_F(WaylandClipboardTest, DoesNotWaitForAnOwnerThatIsFrozen) {
   make_tool("wl-paste", "exec /bin/sleep 1000");
-  EXPECT_NE(problem_of(WaylandClipboard(1'000'000)).find("does not answer"), std::string::npos);
+  EXPECT_NE(problem_of_reading(1'000'000).find("does not answer"), std::string::npos);
   expect_no_child();
 }
 
 TEST_F(WaylandClipboardTest, RefusesATextWithoutEnd) {
   make_tool("wl-paste", "exec /bin/cat /dev/zero");
-  EXPECT_NE(problem_of(WaylandClipboard(for_long_ns)).find("too long"), std::string::npos);
+  EXPECT_NE(problem_of_reading(for_long_ns).find("too long"), std::string::npos);
   expect_no_child();
 }
 
@@ -84,12 +84,7 @@ TEST_F(WaylandClipboardTest, GivesItsTextToTheTool) {
 TEST_F(WaylandClipboardTest, WithoutTheToolsCopiesNothingAndSaysWhatToInstall) {
   WaylandClipboard clipboard;
   EXPECT_FALSE(clipboard.copy("text"));
-  try {
-    clipboard.text();
-    ADD_FAILURE() << "a text from nowhere";
-  } catch (const Failure& failure) {
-    EXPECT_NE(std::string_view(failure.what()).find("wl-clipboard"), std::string_view::npos) << failure.what();
-  }
+  EXPECT_NE(problem_of_reading(for_long_ns).find("wl-clipboard"), std::string::npos);
 }
 
 }  // namespace

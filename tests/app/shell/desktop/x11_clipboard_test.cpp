@@ -29,7 +29,7 @@ class PastedText : public testing::Test {
     while (pasted == no_answer) {
       std::thread owner([&] { other_.answer_with(text); });
       try {
-        pasted = X11Clipboard().text();
+        pasted = X11Clipboard::text();
       } catch (const Failure& failure) {
         pasted = failure.what();
       }
@@ -44,7 +44,7 @@ class PastedText : public testing::Test {
 };
 
 TEST_F(PastedText, IsEmptyWithoutAnOwner) {
-  EXPECT_EQ(X11Clipboard().text(), "");
+  EXPECT_EQ(X11Clipboard::text(), "");
 }
 
 TEST_F(PastedText, IsTheOwners) {
@@ -61,7 +61,7 @@ TEST_F(PastedText, HasALimit) {
 TEST_F(PastedText, IsNotWaitedForWhereTheOwnerIsFrozen) {
   other_.own("CLIPBOARD");
   try {
-    X11Clipboard().text();
+    X11Clipboard::text();
     ADD_FAILURE() << "nobody has answered";
   } catch (const Failure& failure) {
     EXPECT_EQ(failure.what(), no_answer);
