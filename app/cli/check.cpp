@@ -149,7 +149,7 @@ std::vector<std::string> report_files(const std::string& folder) {
 }
 
 void refuse_report_over_scenes(const CheckOptions& options, const std::vector<Case>& cases) {
-  const std::vector<std::string> problems = shown_by_cases(cases, report_files(options.report));
+  const std::vector<std::string> problems = sources_overwritten_by(cases, report_files(options.report));
   if (!problems.empty()) {
     throw Failure(ExitCode::wrong_call,
                   fmt::format("--report {}: {}", quoted_text(options.report, longest_path), fmt::join(problems, "\n")));
@@ -248,11 +248,10 @@ int update(const CheckOptions& options) {
   return static_cast<int>(stored.has_wrong_numbers ? ExitCode::answer_is_no : ExitCode::done);
 }
 
-int check(const CheckOptions& options) {
+int check_cases(const CheckOptions& options) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   CheckReport report{
       .folder = options.folder, .to_folder = options.report, .cases = chosen_cases(cases, options.only, "--only")};
-  refuse_report_among_cases(options);
   refuse_report_over_scenes(options, cases);
   refuse_names_too_long_for_report(report);
   std::optional<ReportFolder> to_folder;
@@ -284,6 +283,16 @@ int check(const CheckOptions& options) {
   return static_cast<int>(report.failed() > 0 ? ExitCode::answer_is_no : ExitCode::done);
 }
 
+int check(const CheckOptions& options) {
+  refuse_report_among_cases(options);
+  try {
+    return check_cases(options);
+  } catch (...) {
+    if (!options.report.empty()) ReportFolder::remove_earlier_pages(options.report);
+    throw;
+  }
+}
+
 // What is neither a folder nor a file is most likely the name of a lesson where it is nearly one.
 void refuse_mistyped_lesson(const CheckOptions& options) {
   for (const std::string& path : options.paths) {
@@ -312,13 +321,7 @@ int check_any(CheckOptions& options) {
         "--only, --update, --report, --jobs, --json and --renderer are for a folder of cases; leave them out");
   }
   options.folder = options.paths.front();
-  if (options.updates) return update(options);
-  try {
-    return check(options);
-  } catch (...) {
-    if (!options.report.empty()) ReportFolder::remove_older(options.report);
-    throw;
-  }
+  return options.updates ? update(options) : check(options);
 }
 
 }  // namespace

@@ -73,18 +73,22 @@ Scene SceneOptions::load() const {
   return load_scene(scene, overrides);
 }
 
-void tell_of_doubtful_units(const Scene& scene) {
+void tell_of_doubtful_times(const Scene& scene) {
   const GoalPath& path = scene.goal;
   if (path.times.back() > scene.duration) {
     say("note: the hand would be at its last waypoint after {} s, and the run ends after {} s; goal.times_s and "
         "goal.duration_s are in seconds\n",
         path.times.back(), scene.duration);
   }
+}
+
+void tell_of_doubtful_path(const Scene& scene) {
+  const GoalPath& path = scene.goal;
   const auto is_within_a_millimetre = [](const Vector<2>& point) {
     return std::hypot(point.x, point.y) < 1.0 / mm_per_m;
   };
   if (path.points.size() > 1 && std::ranges::all_of(path.points, is_within_a_millimetre)) {
-    say("note: the hand stays within a millimetre of the middle; goal.path_mm is in millimetres\n");
+    say("note: the hand stays within a millimetre of the origin; goal.path_mm is in millimetres\n");
   }
 }
 

@@ -140,8 +140,9 @@ class Lines {
 void write_played(OutputFile& file, std::string_view doing, const Scene& scene, const TickState<2>& start,
                   std::int64_t last, std::span<const StrategyId> ids);
 
-// A note on stderr where the scripted hand hardly moves or never arrives: the numbers are probably in another unit.
-void tell_of_doubtful_units(const Scene& scene);
+// A note on stderr where the scripted hand never arrives, or hardly moves: the numbers are probably in another unit.
+void tell_of_doubtful_times(const Scene& scene);
+void tell_of_doubtful_path(const Scene& scene);
 
 // Ends a command whose loop has run away, with unstable_loop() (run.h): a pipe has the whole rows until then, and a file
 // does not come to be.

@@ -87,6 +87,11 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
     throw Failure(ExitCode::wrong_call, words_about_extra(app, command, extra));
   }
   const std::string what = error.what();
+  if (const std::size_t at = what.find(" excludes "); error.get_name() == "ExcludesError" && at != std::string::npos) {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("{} and {} contradict each other; leave out one of them", what.substr(0, at),
+                              what.substr(at + std::string_view(" excludes ").size())));
+  }
   if (what.ends_with('?')) throw Failure(ExitCode::wrong_call, what);
   throw Failure(ExitCode::wrong_call, fmt::format("{}; see '{}'", what, help_call(command)));
 }

@@ -188,7 +188,7 @@ int general_equilibrium(const EquilibriumOptions& options, const Scene& scene, c
 
 int equilibrium(const EquilibriumOptions& options) {
   Scene scene = options.scene.load();
-  tell_of_doubtful_units(scene);
+  if (!options.goal_mm) tell_of_doubtful_path(scene);
   scene.settings = settings_at(scene, scene.settings, scene.duration);
   const Vector<2> goal = options.goal_mm ? position_from_mm("--goal-mm", *options.goal_mm) : scene.goal.points.back();
   if (is_general(scene.settings)) return general_equilibrium(options, scene, goal);

@@ -98,7 +98,8 @@ PictureRequest request_of(const RenderOptions& options) {
   PictureRequest request;
   apply_size(options.size, request);
   request.scene = options.scene.load();
-  tell_of_doubtful_units(request.scene);
+  tell_of_doubtful_times(request.scene);
+  tell_of_doubtful_path(request.scene);
   request.at_s = options.at_s;
   request.renderer = options.renderer;
   request.face = face_of(options, request.scene);

@@ -23,7 +23,8 @@ struct SimulateOptions {
 
 int simulate(const SimulateOptions& options) {
   Scene scene = options.scene.load();
-  tell_of_doubtful_units(scene);
+  tell_of_doubtful_times(scene);
+  tell_of_doubtful_path(scene);
   std::vector<StrategyId> ids;
   if (options.strategy == every_strategy) {
     for (const Strategy& strategy : strategy_catalog()) ids.push_back(strategy.id);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -52,7 +54,7 @@ std::string ask(std::string_view key) {
   return fmt::format("; did you mean '{}'?", key);
 }
 
-// Only in format 1 no word decides which other keys there are.
+// A word of format 2 may decide which other keys there are: it is left to TOML.
 bool set_word(Scene& scene, const SceneKey& key, std::string_view word) {
   if (const auto* const number = std::get_if<OptionalNumberKey>(&key.value)) {
     if (number->word_for_empty != word) return false;
@@ -75,6 +77,67 @@ bool set_number_of(Scene& scene, const SceneKey& key, std::string_view text) {
   set_number(scene, key, *number);
   return true;
 }
+
+// "[A, B]"
+std::optional<std::array<double, 2>> pair_in(std::string_view text, double least, double greatest) {
+  const std::size_t comma = text.find(", ");
+  if (comma == std::string_view::npos || !text.starts_with('[') || !text.ends_with(']')) return std::nullopt;
+  const std::optional<double> first = read_number(text.substr(1, comma - 1));
+  const std::optional<double> second = read_number(text.substr(comma + 2, text.size() - comma - 3));
+  const auto is_within = [&](const std::optional<double>& number) {
+    return number && *number >= least && *number <= greatest;
+  };
+  return is_within(first) && is_within(second) ? std::optional(std::array{*first, *second}) : std::nullopt;
+}
+
+std::optional<Vector<2>> point_in(std::string_view text) {
+  const auto mm = pair_in(text, -farthest_mm, farthest_mm);
+  return mm ? std::optional(Vector<2>((*mm)[0] / mm_per_m, (*mm)[1] / mm_per_m)) : std::nullopt;
+}
+
+// "[[X, Y], [X, Y]]" into as many points as there are.
+bool set_points(std::span<Vector<2>> points, std::string_view text) {
+  if (text.size() < 2 || !text.starts_with('[') || !text.ends_with(']')) return false;
+  text = text.substr(1, text.size() - 2);
+  std::array<Vector<2>, most_motors> read{};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0 && !text.starts_with(", ")) return false;
+    if (i > 0) text.remove_prefix(2);
+    const std::size_t end = std::min(text.find(']'), text.size() - 1) + 1;
+    const std::optional<Vector<2>> point = text.empty() ? std::nullopt : point_in(text.substr(0, end));
+    if (!point) return false;
+    read[i] = *point;
+    text.remove_prefix(end);
+  }
+  if (!text.empty()) return false;
+  std::copy_n(read.begin(), points.size(), points.begin());
+  return true;
+}
+
+struct BracketsInto {
+  Scene& scene;
+  std::string_view text;
+
+  bool operator()(const PointKey& key) const {
+    const std::optional<Vector<2>> point = point_in(text);
+    if (point) key.in(scene) = *point;
+    return point.has_value();
+  }
+  bool operator()(const PairKey& key) const {
+    const auto pair = pair_in(text, key.least, key.greatest);
+    if (pair) key.in(scene) = {(*pair)[0] / key.per_si, (*pair)[1] / key.per_si};
+    return pair.has_value();
+  }
+  bool operator()(const PointPairKey& key) const { return set_points(key.in(scene), text); }
+  bool operator()(const AnchorsKey& key) const {
+    Strings& strings = key.in(scene);
+    return set_points(std::span(strings.anchors).first(strings.count), text);
+  }
+  template <typename Other>
+  bool operator()(const Other&) const {
+    return false;
+  }
+};
 
 }  // namespace
 
@@ -145,6 +208,7 @@ std::optional<NumberLimits> limits_of(const SceneKey& key) noexcept {
 }
 
 bool set_plain_value(Scene& scene, const SceneKey& key, std::string_view text) {
+  if (text.starts_with('[')) return std::visit(BracketsInto{scene, text}, key.value);
   const bool is_quoted = text.size() > 2 && text.front() == '"' && text.back() == '"';
   return is_quoted ? set_word(scene, key, text.substr(1, text.size() - 2)) : set_number_of(scene, key, text);
 }

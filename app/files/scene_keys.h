@@ -34,8 +34,9 @@ std::string_view unit_of(std::string_view key_name) noexcept;
 // What the number of a key may be; empty: the key holds no number, or several.
 std::optional<NumberLimits> limits_of(const SceneKey& key) noexcept;
 
-// Sets a key to a number, or to a word in quotes, as TOML has them but without reading TOML. False, and nothing is set:
-// the text is neither, is out of range, or the word might decide which other keys there are.
+// Sets a key to a number, to a word in quotes, or to points or a pair of numbers in brackets, as value_text() writes them,
+// and some 100 times as fast as by reading TOML. False, and nothing is set: the text is none of these, is out of range,
+// or decides which other keys or how many motors there are.
 bool set_plain_value(Scene& scene, const SceneKey& key, std::string_view text);
 
 }  // namespace ghostforce

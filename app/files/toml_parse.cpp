@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "app/base/quoted.h"
+#include "app/base/typed_text.h"
 
 namespace ghostforce {
 namespace {
@@ -36,25 +37,50 @@ std::string plain(std::string_view description) {
   return quoted_text(description, longest_description);
 }
 
-constexpr std::array<std::string_view, 4> toml_words{"true", "false", "inf", "nan"};
+// What TOML has without quotes, and how else people write it.
+struct BareWord {
+  std::string_view written;  // in small letters
+  std::string_view toml;
+};
+constexpr std::array bare_words{BareWord{"true", "true"}, BareWord{"false", "false"}, BareWord{"inf", "inf"},
+                                BareWord{"infinity", "inf"}, BareWord{"nan", "nan"}};
 
-// What a person has probably meant in this line, which TOML does not allow; empty: nothing that is known.
-std::string slip_in(std::string_view line) {
-  const std::size_t equals = line.find('=');
-  if (equals == std::string_view::npos) return "";
-  std::string_view value = line.substr(equals + 1);
-  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
-  const std::string_view word = value.substr(0, value.find_first_of(" \t\r#"));
-  const bool is_letter = !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())) != 0;
-  const bool is_tomls = std::ranges::find(toml_words, word) != toml_words.end();  // what is wrong comes after it
-  if (is_letter && !is_tomls && word.find_first_of("\"'=") == std::string_view::npos) {
-    const std::string shown = quoted_text(word);
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
+
+std::string likely_mistake_in_word(std::string_view value) {
+  std::string small(value.substr(0, value.find_first_of(" \t")));
+  std::ranges::transform(small, small.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto* const bare = std::ranges::find(bare_words, small, &BareWord::written);
+  if (bare == bare_words.end()) {
+    const std::string shown = quoted_text(value);
     return fmt::format("{} stands without quotes; write \"{}\"", shown, shown);
   }
-  const std::size_t digits = value.find_first_not_of("+-0123456789");
-  return digits != 0 && digits < value.size() && value[digits] == ','
-             ? "a number has a comma in it; write a decimal point"
-             : "";
+  if (small.size() < value.size()) return "";  // what is wrong comes after it
+  return fmt::format("TOML has no {}; write {}", quoted_text(value), bare->toml);
+}
+
+std::string likely_mistake_in_number(std::string_view value) {
+  const std::size_t comma = value.find(',');
+  const std::string_view before = value.substr(0, comma);
+  const bool is_number = comma != std::string_view::npos && std::ranges::any_of(before, is_digit) &&
+                         before.find_first_not_of("+-.0123456789") == std::string_view::npos;
+  if (!is_number) return "";
+  if (comma + 1 == value.size()) return "a comma stands at the end; leave it out";
+  return is_digit(value[comma + 1]) ? "a number has a comma in it; write a decimal point" : "";
+}
+
+// What a person has probably meant in this line, where TOML refuses something at this column, from 1; empty: nothing
+// that is known.
+std::string likely_mistake(std::string_view line, std::size_t column) {
+  const std::size_t equals = line.find('=');
+  if (equals == std::string_view::npos || column <= equals + 1) return "";
+  const std::string_view value = trimmed(line.substr(equals + 1, line.find('#', equals) - equals - 1));
+  if (value.empty()) return "";
+  const bool is_word = std::isalpha(static_cast<unsigned char>(value.front())) != 0;
+  if (!is_word) return likely_mistake_in_number(value);
+  return value.find_first_of("\"'=[]{},") == std::string_view::npos ? likely_mistake_in_word(value) : "";
 }
 
 std::string_view line_of(std::string_view text, toml::source_index number) {
@@ -103,8 +129,8 @@ ParsedToml parse_toml(std::string_view text) {
     return {toml::parse(text), std::nullopt};
   } catch (const toml::parse_error& error) {
     const toml::source_position place = error.source().begin;
-    const std::string slip = slip_in(line_of(text, place.line));
-    return {{}, TomlProblem{place, slip.empty() ? plain(error.description()) : slip}};
+    const std::string mistake = likely_mistake(line_of(text, place.line), place.column);
+    return {{}, TomlProblem{place, mistake.empty() ? plain(error.description()) : mistake}};
   }
 }
 

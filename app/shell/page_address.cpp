@@ -58,7 +58,14 @@ bool is_of_others(std::string_view name) noexcept {
   return name.starts_with("utm_") || name.ends_with("clid");
 }
 
-void read_wish(std::string_view written, std::set<std::string>& read, PageAddress& address) {
+[[noreturn]] void refuse_embedder(std::string& embedder) {
+  refuse_part(
+      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
+                  "and a port where it is not the usual one",
+                  quoted_text(std::exchange(embedder, {}))));
+}
+
+void read_wish(std::string_view written, std::set<std::string>& read, const IsOrigin& is_origin, PageAddress& address) {
   const std::string name = without_percent_signs(take_until(written, '='));
   const std::string value = without_percent_signs(written);
   if (is_of_others(name)) return;
@@ -75,14 +82,7 @@ void read_wish(std::string_view written, std::set<std::string>& read, PageAddres
   if (const auto unshowable = unshowable_in(value, false))
     refuse_part(fmt::format("there is {} in {}", *unshowable, name));
   wish->read(value, address);
-}
-
-void check_embedder(std::string& embedder, const IsOrigin& is_origin) {
-  if (embedder.empty() || is_origin(embedder)) return;
-  refuse_part(
-      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
-                  "and a port where it is not the usual one",
-                  quoted_text(std::exchange(embedder, {}))));
+  if (name == "embed" && !is_origin(value)) refuse_embedder(address.embedder);
 }
 
 }  // namespace
@@ -95,8 +95,7 @@ PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin)
     const std::string_view written = take_until(query, '&');
     if (written.empty()) continue;
     try {
-      read_wish(written, read, address);
-      check_embedder(address.embedder, is_origin);
+      read_wish(written, read, is_origin, address);
     } catch (const ReadError& error) {
       address.problems.push_back(
           fmt::format("'{}' in the address of this page cannot be used: {}", quoted_text(written), error.what()));

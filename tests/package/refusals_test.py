@@ -20,6 +20,13 @@ class Package(unittest.TestCase):
         for name in ("package", "packages.txt", "cmake/setup.sh"):
             shutil.copy2(ROOT / name, self.tree / name)
         (self.tree / ".gitignore").write_text("build/\n", encoding="utf-8")
+        # Should it refuse too late, it must neither install anything nor ask for a password.
+        programs = self.tree / "build-tools"
+        programs.mkdir()
+        for name in ("apt-get", "sudo"):
+            (programs / name).write_text("#!/bin/sh\nexit 97\n", encoding="utf-8")
+            (programs / name).chmod(0o755)
+        self.path = f"{programs}:{os.environ['PATH']}"
         self.git("init", "--quiet")
         self.commit()
 
@@ -33,7 +40,7 @@ class Package(unittest.TestCase):
     def expect_refused(self, words, *arguments, **environment):
         kept = {name: value for name, value in os.environ.items() if name not in ("DEBFULLNAME", "DEBEMAIL")}
         answer = subprocess.run(
-            ["./package", *arguments], cwd=self.tree, env={**kept, **NOBODY, **environment}, capture_output=True, text=True
+            ["./package", *arguments], cwd=self.tree, env={**kept, **NOBODY, **environment, "PATH": self.path}, capture_output=True, text=True
         )
         self.assertEqual(answer.returncode, 1, answer.stderr)
         self.assertIn(words, answer.stderr)

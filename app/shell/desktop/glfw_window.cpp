@@ -221,8 +221,8 @@ void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
   GlfwWindow& window = window_of(handle);
   if (action == GLFW_PRESS) window.pasted_.reset();
-  window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT},
-                       glfwGetKeyName(key, scancode), action != GLFW_RELEASE);
+  window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT}, glfwGetKeyName(key, scancode),
+                       action != GLFW_RELEASE);
 }
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.
@@ -299,8 +299,8 @@ std::optional<std::string> GlfwWindow::clipboard_text() {
   }
   if (pasted_) return std::exchange(pasted_, std::nullopt);
   if (reading_.valid()) return std::nullopt;
-  std::packaged_task<std::string()> task(
-      x11_clipboard_ ? [] { return X11Clipboard::text(); } : [] { return WaylandClipboard::text(); });
+  std::packaged_task<std::string()> task(x11_clipboard_ ? [] { return X11Clipboard::text(); }
+                                                        : [] { return WaylandClipboard::text(); });
   reading_ = task.get_future();
   reader_ = std::jthread([task = std::move(task)]() mutable {
     task();

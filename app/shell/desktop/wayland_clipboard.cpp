@@ -9,6 +9,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <system_error>
+
+#include <fmt/format.h>
 
 #include "app/files/descriptor.h"
 #include "app/files/output_file.h"
@@ -33,9 +36,10 @@ class ReadTool {
   pid_t process_;
 };
 
-[[noreturn]] void throw_tool_is_missing() {
-  throw Failure(ExitCode::file_trouble,
-                "wl-paste, which pastes text, cannot be started. Install the package wl-clipboard.");
+[[noreturn]] void throw_tool_cannot_be_started(int error) {
+  const std::string what_to_do =
+      error == ENOENT ? "Install the package wl-clipboard" : std::generic_category().message(error);
+  throw Failure(ExitCode::file_trouble, fmt::format("wl-paste, which pastes text, cannot be started. {}.", what_to_do));
 }
 
 std::string read_within_limits(int pipe, std::int64_t patience_ns) {
@@ -73,14 +77,14 @@ bool WaylandClipboard::copy(const std::string& text) {
 
 std::string WaylandClipboard::text(std::int64_t patience_ns) {
   std::array<int, 2> ends{};
-  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_tool_is_missing();
+  if (pipe2(ends.data(), O_CLOEXEC) != 0) throw_tool_cannot_be_started(errno);
   const Descriptor reading(ends[0]);
   pid_t process = 0;
   {
     const Descriptor writing(ends[1]);
-    if (start_tool({"wl-paste", "--no-newline", "--type", "text/plain"}, {.out = writing.number()}, process) != 0) {
-      throw_tool_is_missing();
-    }
+    const std::vector<std::string> words{"wl-paste", "--no-newline", "--type", "text/plain"};
+    const int error = start_tool(words, {.out = writing.number()}, process);
+    if (error != 0) throw_tool_cannot_be_started(error);
   }
   const ReadTool tool(process);
   return read_within_limits(reading.number(), patience_ns);

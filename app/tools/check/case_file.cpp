@@ -157,7 +157,7 @@ struct CaseReading {
 // What the lesson's reader tells becomes a problem of the key that names the lesson.
 void show_lesson_of(const TomlValue& named, CaseReading& at) {
   const std::optional<TomlValue> language = at.reader.find("", "language");
-  const std::string path = at.summary.shown_path = path_of(*at.lesson, shipped_lesson_names(), at.folder);
+  const std::string path = at.summary.source_path = path_of(*at.lesson, shipped_lesson_names(), at.folder);
   try {
     LessonPicture picture{.lesson = std::make_shared<const Lesson>(load_lesson(path.empty() ? *at.lesson : path)),
                           .step = at.step - 1,
@@ -266,7 +266,7 @@ std::vector<CaseKey> keys_into(CaseReading& at) {
     return [&at, member](Value value) { (*at.summary.origin).*member = value.text().value_or(""); };
   };
   const auto scene = [&](Value value) {
-    at.summary.shown_path = path_of(value.text().value_or(""), shipped_scene_names(), at.folder);
+    at.summary.source_path = path_of(value.text().value_or(""), shipped_scene_names(), at.folder);
     request.scene = load_scene_of(value, at.reader.find("", "set"), at.folder);
   };
   const auto mask = [&](Value value) { at.summary.mask = read_mask(value, request.width, request.height); };

@@ -24,10 +24,10 @@ enum class Expectation : std::uint8_t {
 };
 
 struct Case {
-  std::string name;        // the file's, without .toml
-  std::string path;        // of the file
-  std::string shown_path;  // of the scene or lesson that it shows; empty: a shipped one
-  int width = 0;           // of the picture [px]
+  std::string name;         // the file's, without .toml
+  std::string path;         // of the file
+  std::string source_path;  // of the scene or lesson that it shows; empty: a shipped one
+  int width = 0;            // of the picture [px]
   int height = 0;
   Expectation expectation = Expectation::golden;
   std::string other;        // name of the case that `expectation` speaks of

@@ -125,14 +125,14 @@ std::vector<Case> read_case_folder(const std::string& folder) {
   return cases;
 }
 
-std::vector<std::string> shown_by_cases(const std::vector<Case>& cases, const std::vector<std::string>& paths) {
+std::vector<std::string> sources_overwritten_by(const std::vector<Case>& cases, const std::vector<std::string>& paths) {
   std::error_code unknown;
   std::map<fs::path, std::string> targets;  // and how each is called
   for (const std::string& path : paths) targets.try_emplace(fs::weakly_canonical(path, unknown), path);
   std::vector<std::string> lines;
   for (const Case& each : cases) {
-    if (each.shown_path.empty()) continue;
-    const auto target = targets.find(fs::weakly_canonical(each.shown_path, unknown));
+    if (each.source_path.empty()) continue;
+    const auto target = targets.find(fs::weakly_canonical(each.source_path, unknown));
     if (target == targets.end()) continue;
     lines.push_back(fmt::format("{} would be overwritten, but it is what the case {} shows; move it, or rename it",
                                 shown(target->second), quoted_text(each.name)));

@@ -25,7 +25,7 @@ std::vector<const Case*> chosen_cases(const std::vector<Case>& cases, const std:
 
 // A line for each case whose scene or lesson is in one of these files, whatever links lead there: who writes to them
 // would lose it.
-std::vector<std::string> shown_by_cases(const std::vector<Case>& cases, const std::vector<std::string>& paths);
+std::vector<std::string> sources_overwritten_by(const std::vector<Case>& cases, const std::vector<std::string>& paths);
 
 struct StoredGoldens {
   std::vector<std::string> lines;  // per case, about what was done

@@ -23,7 +23,7 @@ GoldenOrigin present_origin(std::string_view graphics);
 // it is not known by what the golden was.
 std::string other_renderer_words(const GoldenOrigin& golden, const GoldenOrigin& present);
 
-// The same, or that it was drawn by another version of this program.
+// Why a picture may differ: another renderer, or another version of this program; empty where neither is known.
 std::string other_origin_words(const GoldenOrigin& golden, const GoldenOrigin& present);
 
 // A case's text with this table in it, and with each byte of the rest as it was. Throws Failure(wrong_call) where the

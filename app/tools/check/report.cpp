@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <system_error>
 #include <utility>
@@ -22,6 +24,9 @@ namespace {
 
 constexpr std::string_view page_name = "report.html";
 constexpr std::string_view junit_name = "junit.xml";
+// What tells the two from other files of their names.
+constexpr std::string_view page_title_ends = " – ghostforce check</title>";
+constexpr std::string_view junit_begins = "<testsuites name=\"ghostforce check\"";
 
 struct PictureKind {
   std::string_view word;
@@ -176,13 +181,14 @@ double CheckReport::duration_s() const {
 
 std::string report_as_html(const CheckReport& report) {
   const std::vector<Verdict>& verdicts = report.verdicts;
-  const std::string title = fmt::format("{} cases, {} failed", verdicts.size(), report.failed());
+  const std::string title =
+      fmt::format("{} {}, {} failed", verdicts.size(), verdicts.size() == 1 ? "case" : "cases", report.failed());
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – ghostforce check</title>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}{}\n"
       "<style>\n{}</style>\n</head>\n<body>\n<h1>{}</h1>\n<p>ghostforce {} check <code>{}</code></p>\n"
       "<table>\n<thead><tr><th>verdict</th><th>case</th><th>what was found</th><th>time</th></tr></thead>\n<tbody>\n",
-      title, embedded_report_style.front().contents, title, version, xml_text(report.folder));
+      title, page_title_ends, embedded_report_style.front().contents, title, version, xml_text(report.folder));
   std::string sections;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Verdict& verdict = verdicts[i];
@@ -200,9 +206,9 @@ std::string report_as_junit(const CheckReport& report) {
   const std::string counts = fmt::format("tests=\"{}\" failures=\"{}\" errors=\"0\" skipped=\"0\" time=\"{:.3f}\"",
                                          report.verdicts.size(), report.failed(), report.duration_s());
   std::string xml = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"ghostforce check\" {}>\n"
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n{} {}>\n"
       "  <testsuite name=\"{}\" {}>\n",
-      counts, folder, counts);
+      junit_begins, counts, folder, counts);
   for (const Verdict& verdict : report.verdicts) {
     xml += fmt::format("    <testcase classname=\"{}\" name=\"{}\" time=\"{:.3f}\"", folder, xml_text(verdict.name),
                        verdict.duration_s);
@@ -242,13 +248,15 @@ bool ReportFolder::may_write(std::string_view path) {
          std::ranges::any_of(picture_kinds, [&](const PictureKind& kind) { return name.ends_with(kind.ending); });
 }
 
-void ReportFolder::remove_older(const std::string& folder) {
-  std::error_code ignored;
-  for (const std::string_view name : {page_name, junit_name}) {
+void ReportFolder::remove_earlier_pages(const std::string& folder) {
+  for (const auto& [name, sign] : {std::pair(page_name, page_title_ends), std::pair(junit_name, junit_begins)}) {
     const std::string path = path_in(folder, name);
-    const std::string text = file_contents(path).text;
-    const bool is_of_a_check = text.starts_with('<') && text.find("ghostforce") != std::string::npos;
-    if (is_of_a_check) std::filesystem::remove(path, ignored);
+    if (!kind_instead_of_file(path).empty()) continue;  // a pipe would have it wait
+    constexpr std::size_t signs_end = 4096;
+    std::string beginning(signs_end, '\0');
+    std::ifstream(path).read(beginning.data(), signs_end);
+    std::error_code ignored;
+    if (beginning.find(sign) != std::string::npos) std::filesystem::remove(path, ignored);
   }
 }
 

@@ -46,8 +46,9 @@ class ReportFolder {
   // Nothing else in the folder is touched.
   void write(const CheckReport& report);
 
-  // After a check without a result: the pages of an older one would pass for its own. Its pictures stay.
-  static void remove_older(const std::string& folder);
+  // After a check without a result: the pages of an earlier one would pass for its own. Its pictures stay, and so does
+  // what only has a page's name.
+  static void remove_earlier_pages(const std::string& folder);
 
   // Whether a file in the folder is called as if it were one of these.
   static bool may_write(std::string_view path);

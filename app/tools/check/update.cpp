@@ -48,7 +48,10 @@ bool leads_out(const std::filesystem::path& path) {
 void refuse_what_cannot_be_written(const std::vector<Case>& all, const std::vector<const Case*>& chosen) {
   std::vector<std::string> written;
   for (const Case* const each : chosen) written.insert(written.end(), {each->golden_path(), each->path});
-  std::vector<std::string> problems = shown_by_cases(all, written);
+  if (const std::vector<std::string> inputs = sources_overwritten_by(all, written); !inputs.empty()) {
+    throw Failure(ExitCode::wrong_call, fmt::format("{}", fmt::join(inputs, "\n")));
+  }
+  std::vector<std::string> problems;
   std::map<std::filesystem::path, std::string> targets;  // and by which path each was reached
   for (const Case* const each : chosen) {
     const std::string golden = each->golden_path();

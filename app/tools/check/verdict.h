@@ -45,7 +45,7 @@ using CheckedNumbers = std::array<std::optional<CheckedNumber>, quantity_count>;
 
 CheckedNumbers check_numbers(const Case& checked, const StrategySnapshot<2>& actual);
 
-// What is wrong with them; empty: nothing.
+// In words, which of these numbers are not what their case states; empty: all are.
 std::string wrong_numbers(const CheckedNumbers& numbers);
 
 struct Verdict {

@@ -250,8 +250,14 @@ TEST(SceneNotes, TellOfAHandThatHardlyMovesOrNeverArrives) {
     EXPECT_EQ(run({command, "wall45"}).err, "");
     EXPECT_NE(said("goal.path_mm=[[0.02, 0.02], [0.015, -0.015]]").find("goal.path_mm is in millimetres"),
               std::string::npos);
-    EXPECT_NE(said("goal.duration_s=0.5").find("goal.duration_s are in seconds"), std::string::npos);
   }
+  const Outcome late = run({"simulate", "wall45", "--set", "goal.duration_s=0.5"});
+  EXPECT_NE(late.err.find("goal.duration_s are in seconds"), std::string::npos) << late.err;
+  // It has no run, and this hand no path.
+  EXPECT_EQ(run({"equilibrium", "wall45", "--set", "goal.duration_s=0.5"}).err, "");
+  EXPECT_EQ(
+      run({"equilibrium", "wall45", "--goal-mm=10,-10", "--set", "goal.path_mm=[[0.02, 0.02], [0.015, -0.015]]"}).err,
+      "");
 }
 
 }  // namespace

@@ -87,9 +87,11 @@ TEST_F(MemoryLimit, APictureIsDrawnWhereNoThreadMayBeStarted) {
   };
   if (run_as_another("", {"--version"}).exit_code != 0) GTEST_SKIP() << "only this user may start the program";
   const std::string no_thread = "prlimit --nproc=1";
-  const Outcome outcome = run_as_another(no_thread, {"render", "wall45", "-o", "-"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(outcome.out.starts_with("\x89PNG")) << outcome.err;
+  for (const std::string& limit : {no_thread, std::string("prlimit --nproc=2")}) {
+    const Outcome outcome = run_as_another(limit, {"render", "wall45", "-o", "-"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_TRUE(outcome.out.starts_with("\x89PNG")) << outcome.err;
+  }
 
   std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   write_whole(folder / "case.toml", "scene = \"wall45\"\nsize = [320, 240]\n");

@@ -20,7 +20,7 @@ namespace {
 
 class SetUpWindow : public DrivenWindow {
  protected:
-  std::string clipboard() { return window_->clipboard_text(); }
+  std::string clipboard() { return window_->clipboard_text().value_or(""); }
   std::string copied() {
     press(key::c, modifier::control);
     return clipboard();

@@ -1,4 +1,6 @@
 // `ghostforce check --update` for all cases that fail, and numbers beside pictures.
+#include <sys/stat.h>
+
 #include <filesystem>
 #include <map>
 #include <regex>
@@ -152,9 +154,22 @@ TEST(CheckReport, OfAnOlderCheckDoesNotOutliveOneThatFails) {
   write_whole(cases / "wall.toml", replaced(good, "size", "Size"));
   EXPECT_EQ(cases.check({"--report", cases.beside("report")}).exit_code, 2);
   expect_pages(false);
-  write_whole(cases.beside("report/report.html"), "mine");
-  EXPECT_EQ(cases.check({"--report", cases.beside("report")}).exit_code, 2);
-  EXPECT_TRUE(std::filesystem::exists(cases.beside("report/report.html"))) << "no check has written that";
+}
+
+TEST(CheckReport, ThatCannotBeMadeRemovesNoFileOfAPersons) {
+  const Cases cases({{"wall", std::string("Size = 1")}});
+  const std::string report = cases.beside("report");
+  std::filesystem::create_directory(report);
+  const std::string mine = "<p>my notes on ghostforce check</p>";
+  write_whole(report + "/report.html", mine);
+  ASSERT_EQ(mkfifo((report + "/junit.xml").c_str(), 0600), 0);  // nobody writes into it
+  EXPECT_EQ(cases.check({"--report", report}).exit_code, 2);
+  EXPECT_EQ(read_whole(report + "/report.html"), mine);
+  EXPECT_TRUE(std::filesystem::exists(report + "/junit.xml"));
+  // Whoever names the folder of the cases means another one.
+  write_whole(cases / "report.html", "<title>1 case, 0 failed – ghostforce check</title>");
+  EXPECT_EQ(cases.check({"--report", cases.path()}).exit_code, 2);
+  EXPECT_TRUE(std::filesystem::exists(cases / "report.html"));
 }
 
 TEST(Check, SaysThatAnotherVersionMayBeTheCause) {
