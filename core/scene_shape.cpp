@@ -56,7 +56,7 @@ MotorReach motor_reach(const Settings& settings, const Vector<2>& handle) noexce
   const std::optional<ActuationMatrix<2>> actuation = actuation_at(mechanism, handle);
   if (!actuation) return reach;
   reach.count = actuation->count;
-  reach.only_pulls = settings.general.mechanism == MechanismKind::strings;
+  reach.only_pulls = has_strings(settings);
   for (std::size_t i = 0; i < actuation->count; ++i) reach.directions[i] = glm::normalize(actuation->columns[i]);
   if (!has_joints(settings)) return reach;
   const auto missing = actuation_at(mechanism_of(with_other_motor(settings)), handle);

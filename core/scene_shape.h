@@ -60,6 +60,10 @@ inline bool has_joints(const Settings& settings) noexcept {
   return kind == MechanismKind::arm || kind == MechanismKind::pantograph;
 }
 
+inline bool has_strings(const Settings& settings) noexcept {
+  return settings.general.mechanism == MechanismKind::strings;
+}
+
 // The same scene with its motor at the other joint; without joints the same.
 Settings with_other_motor(Settings settings) noexcept;
 

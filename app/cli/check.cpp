@@ -248,7 +248,8 @@ int update(const CheckOptions& options) {
   return static_cast<int>(stored.has_wrong_numbers ? ExitCode::answer_is_no : ExitCode::done);
 }
 
-int check_cases(const CheckOptions& options) {
+// `has_report` is true from when the report is written.
+int check_cases(const CheckOptions& options, bool& has_report) {
   const std::vector<Case> cases = read_case_folder(options.folder);
   CheckReport report{
       .folder = options.folder, .to_folder = options.report, .cases = chosen_cases(cases, options.only, "--only")};
@@ -273,6 +274,7 @@ int check_cases(const CheckOptions& options) {
     report.verdicts.push_back(std::move(verdict));
   });
   if (to_folder) to_folder->write(report);
+  has_report = to_folder.has_value();
   write_line(fmt::format("{} {}, {} failed", count, count == 1 ? "case" : "cases", report.failed()));
   if (options.json) lines.write(report_as_json(report));
   for (const Verdict& verdict : report.verdicts) {
@@ -285,10 +287,11 @@ int check_cases(const CheckOptions& options) {
 
 int check(const CheckOptions& options) {
   refuse_report_among_cases(options);
+  bool has_report = false;
   try {
-    return check_cases(options);
+    return check_cases(options, has_report);
   } catch (...) {
-    if (!options.report.empty()) ReportFolder::remove_earlier_pages(options.report);
+    if (!options.report.empty() && !has_report) ReportFolder::remove_earlier_pages(options.report);
     throw;
   }
 }

@@ -168,9 +168,15 @@ std::string table_text(const Scene& scene, const GeneralScene& general, const Ve
   add_row("force", "N", [](const Rest& rest) { return shown(rest.rest.at.force); });
   add_row("ghost force", "N", [](const Rest& rest) { return shown(rest.ghost_force); });
   add_row("slide", "mm", [](const Rest& rest) { return shown(mm_per_m * rest.slide); });
+  const auto* const strings = std::get_if<Strings>(&general.mechanism);
   for (std::size_t i = 0; i < motor_count(general.mechanism); ++i) {
-    add_row(fmt::format("effort {}", i + 1), makes_torques(general.mechanism) ? "N·m" : "N",
-            [i](const Rest& rest) { return shown(rest.rest.efforts[i]); });
+    add_row(fmt::format("effort {}", i + 1), makes_torques(general.mechanism) ? "N·m" : "N", [&, i](const Rest& rest) {
+      const double effort = rest.rest.efforts[i];
+      if (strings == nullptr) return shown(effort);
+      // F has a motor for every direction, and what it gives a string may not be able to give.
+      if (effort < 0.0 || effort > strings->most) return std::string("not by a string");
+      return shown(effort) + (effort == strings->most ? " = most_N" : "");
+    });
   }
   add_row("acting walls", "", [](const Rest& rest) { return walls_text(rest.rest.active); });
   return text;

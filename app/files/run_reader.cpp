@@ -31,7 +31,7 @@ constexpr std::size_t longest_line = std::size_t{1} << 24;
 constexpr std::size_t most_values = 256;  // in a row
 constexpr std::size_t longest_change = 512;
 // What set_plain_value() cannot read costs 0.1 ms: words that choose another device or wall, and what another program
-// has written in other words than this one's.
+// wrote in another form.
 constexpr int most_read_changes = 10'000;
 
 // A tick's time may be this far off, in ticks: programs that wrote it out again may have rounded it.
@@ -256,7 +256,7 @@ class RunReader {
     if (rest.size() > longest_change) damaged("the change is longer than one can be");
     Scene changed = changed_;
     const std::string_view value = trimmed(rest.substr(std::min(name.size() + 1, rest.size())));
-    if (set_plain_value(changed, *key, value) && !find_problem(changed)) {
+    if (belongs(*key, changed) && set_plain_value(changed, *key, value) && !find_problem(changed)) {
       changed_ = std::move(changed);
       return;
     }
@@ -342,8 +342,9 @@ class RunReader {
       if (has(sent_x_column) && has(sent_y_column)) row.sent = {number[sent_x_column], number[sent_y_column]};
     }
     // An estimated goal is where the hand would be with the believed stiffness: a low belief puts it anywhere.
+    const bool is_given = has(goal_kind_column) && !is_estimated;  // `replay` writes goals without their kind
     for (const Column column : {goal_x_column, goal_y_column}) {
-      if (!is_estimated && std::abs(number[column]) > farthest_device_m) {
+      if (is_given && std::abs(number[column]) > farthest_device_m) {
         damaged_value(column, fmt::format("farther away than {} m", farthest_device_m));
       }
     }

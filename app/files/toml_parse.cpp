@@ -57,7 +57,7 @@ std::string likely_mistake_in_word(std::string_view value) {
     const std::string shown = quoted_text(value);
     return fmt::format("{} stands without quotes; write \"{}\"", shown, shown);
   }
-  if (small.size() < value.size()) return "";  // what is wrong comes after it
+  if (small.size() < value.size() || value == bare->toml) return "";  // something else is wrong
   return fmt::format("TOML has no {}; write {}", quoted_text(value), bare->toml);
 }
 

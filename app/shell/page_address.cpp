@@ -58,14 +58,7 @@ bool is_of_others(std::string_view name) noexcept {
   return name.starts_with("utm_") || name.ends_with("clid");
 }
 
-[[noreturn]] void refuse_embedder(std::string& embedder) {
-  refuse_part(
-      fmt::format("'{}' is not the origin of a page; give scheme and host alone, as in https://course.example.org, "
-                  "and a port where it is not the usual one",
-                  quoted_text(std::exchange(embedder, {}))));
-}
-
-void read_wish(std::string_view written, std::set<std::string>& read, const IsOrigin& is_origin, PageAddress& address) {
+void read_wish(std::string_view written, std::set<std::string>& read, PageAddress& address) {
   const std::string name = without_percent_signs(take_until(written, '='));
   const std::string value = without_percent_signs(written);
   if (is_of_others(name)) return;
@@ -82,7 +75,6 @@ void read_wish(std::string_view written, std::set<std::string>& read, const IsOr
   if (const auto unshowable = unshowable_in(value, false))
     refuse_part(fmt::format("there is {} in {}", *unshowable, name));
   wish->read(value, address);
-  if (name == "embed" && !is_origin(value)) refuse_embedder(address.embedder);
 }
 
 }  // namespace
@@ -95,11 +87,17 @@ PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin)
     const std::string_view written = take_until(query, '&');
     if (written.empty()) continue;
     try {
-      read_wish(written, read, is_origin, address);
+      read_wish(written, read, address);
     } catch (const ReadError& error) {
       address.problems.push_back(
           fmt::format("'{}' in the address of this page cannot be used: {}", quoted_text(written), error.what()));
     }
+  }
+  if (!address.embedder.empty() && !is_origin(address.embedder)) {
+    address.problems.push_back(
+        fmt::format("'embed={0}' in the address of this page cannot be used: '{0}' is not the origin of a page; give "
+                    "scheme and host alone, as in https://course.example.org, and a port where it is not the usual one",
+                    quoted_text(std::exchange(address.embedder, {}))));
   }
   return address;
 }

@@ -147,9 +147,10 @@ void Window::hand_on(const KeyEvent& event) {
   if (event.character != 0) io.AddInputCharacter(event.character);
 }
 
-// The last one tells Dear ImGui that Ctrl is up again, which it may have been for long.
+// Dear ImGui takes no press of a key that is down already, as V may still be; and Ctrl may have been up for long.
 void Window::add_paste() {
   constexpr KeyPress paste{key::v, modifier::control, false};
+  add_key_event(paste, nullptr, false);
   add_key_event(paste, nullptr, true);
   add_key_event(paste, nullptr, false);
   add_key_event({key::left_control, modifier::control, false}, nullptr, false);

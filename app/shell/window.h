@@ -83,7 +83,8 @@ class Window {
 
   // For other programs to paste.
   virtual void set_clipboard_text(const std::string& text) = 0;
-  // "" where the clipboard has none. Empty: it is being read, and once the text is there the window tells Ctrl+V again.
+  // "" where the clipboard has none. Empty: it is being read, and once the text is there the window tells Ctrl+V again,
+  // as often as it was asked for.
   virtual std::optional<std::string> clipboard_text() = 0;
   // Why the text that was asked for does not come, and what to do, once; empty: nothing is wrong.
   std::string take_clipboard_problem() noexcept { return std::exchange(clipboard_problem_, {}); }

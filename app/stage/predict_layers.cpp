@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "app/stage/stage_layers.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -85,6 +86,7 @@ std::string predict_sentence(const StageContent& content) {
   if (content.guess.missed_by) return filled(all.guess_was_off, slide_number(*content.guess.missed_by));
   if (!content.guess.is_open) return std::string(all.guess_is_tried);
   if (depth_in_wall(content.settings, content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);
+  if (has_strings(content.settings)) return std::string(all.guess_with_strings);
   const bool has_two = content.settings.active == StrategyId::full;
   return std::string(has_two ? all.guess_with_two_motors : all.guess_with_one_motor);
 }

@@ -9,6 +9,7 @@
 
 #include "app/stage/landscape_layers.h"
 #include "app/stage/stage_layers.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -58,6 +59,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
                        .corner_action = content.corner ? content.corner->action : StageCommand::next,
                        .has_full = !content.moment.is_measured,
+                       .has_strings = has_strings(content.settings),
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,
                        .shows_menu = content.shows_menu,

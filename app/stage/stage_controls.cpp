@@ -90,7 +90,7 @@ StageControl values_group(const ControlSource& source) {
 StageControl strategies_group(const ControlSource& source) {
   ControlParts parts;
   for (const Strategy& each : strategy_catalog()) {
-    const StageLanguage::StrategyButton& words = source.language.strategy_buttons[index_of(each.id)];
+    const StrategyWords words = strategy_words(source.language, each.id, has_strings(source.session.settings));
     StageControl choice = button_control(source, fmt::format("strategy-{}", each.name),
                                          fmt::format("{}: {}", words.name, words.about), ChooseStrategy{each.id});
     choice.kind = Kind::choice;

@@ -281,7 +281,7 @@ class Arrangement {
     if (layout_.is_upright) return arrange_column(shown, target(button_height));
     for (const Strategy& strategy : strategy_catalog()) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
-      StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
+      StrategyWords words = strategy_words(words_.language, strategy.id, words_.has_strings);
       if (shown != CardWords::name_and_about) words.about = "";
       const StrategyWords widest{.name = is_broken ? longer_line(words.name) : words.name, .about = words.about};
       const double width = strategy_button_width(widest, layout_.unit, layout_.letters, measure_);
@@ -318,7 +318,7 @@ class Arrangement {
     bool all_fit = true;
     for (const Strategy& strategy : strategy_catalog() | std::views::reverse) {
       if (strategy.id == StrategyId::full && !words_.has_full) continue;
-      StrategyWords words = words_.language.strategy_buttons[index_of(strategy.id)];
+      StrategyWords words = strategy_words(words_.language, strategy.id, words_.has_strings);
       if (shown != CardWords::name_and_about) words.about = "";
       all_fit = all_fit && strategy_button_width(words, layout_.unit, layout_.letters, measure_) <= right - left;
       layout_.strategies.push_back(

@@ -153,15 +153,13 @@ struct StageFrameWords {
   std::string_view corner{};  // of the button at the other end of the row; empty: there is none
   StageAction corner_action = StageCommand::next;
   bool has_full = true;                             // the strategy with every motor can be chosen
+  bool has_strings = false;                         // in place of motors that push
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
   bool shows_menu = false;
   bool has_tools = false;            // the view can be made to fit, and the motion begun anew
   SentenceWidths* widths = nullptr;  // of the picture before; null: all is measured anew
 };
-
-// What the button of a strategy says; `about` is empty where there is room for the name alone.
-using StrategyWords = StageLanguage::StrategyButton;
 
 // How wide that button is, with its key and the strategy's shape before the words [points]. Pure.
 double strategy_button_width(const StrategyWords& words, double unit, const StageLetters& letters,

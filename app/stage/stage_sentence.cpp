@@ -15,9 +15,6 @@
 namespace ghostforce {
 namespace {
 
-// Less is not worth the word "drags" [N].
-constexpr double least_dragging_force = 0.05;
-
 // What the sentences are chosen by.
 struct Facts {
   const Settings& settings;
@@ -33,7 +30,7 @@ struct Facts {
   }
   bool has_motor_at_elbow() const { return settings.general.arm.motor == TwoLinkArm::Motor::elbow; }
   bool has_slack_string() const {
-    if (settings.general.mechanism != MechanismKind::strings || !moment.in_contact) return false;
+    if (!has_strings(settings) || !moment.in_contact) return false;
     const Efforts efforts = efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force);
     const auto end = efforts.begin() + settings.general.strings.count;
     return std::any_of(efforts.begin(), end, [](double effort) { return effort < least_tension; });
@@ -100,9 +97,7 @@ constexpr std::array sentences{
              }},
     Sentence{&Sentences::in_front_of_wall, [](const Facts& now) { return !now.moment.in_contact; }},
     Sentence{&Sentences::every_motor,
-             [](const Facts& now) {
-               return now.is(StrategyId::full) && now.settings.general.mechanism == MechanismKind::strings;
-             }},
+             [](const Facts& now) { return now.is(StrategyId::full) && has_strings(now.settings); }},
     Sentence{&Sentences::two_motors, [](const Facts& now) { return now.is(StrategyId::full); }},
     Sentence{&Sentences::one_becomes_two,
              [](const Facts& now) {
@@ -131,7 +126,7 @@ constexpr std::array sentences{
     Sentence{&Sentences::naive_ghost,
              [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost >= least_dragging_force; }},
     Sentence{&Sentences::naive_too_little,
-             [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost <= -least_shown_force; }},
+             [](const Facts& now) { return now.is(StrategyId::naive) && now.ghost <= -least_dragging_force; }},
     Sentence{&Sentences::straight_at_wall,
              [](const Facts& now) { return now.is(StrategyId::naive) && std::abs(now.motor_along) > 0.9998; }},
     Sentence{&Sentences::press_deeper, [](const Facts& now) { return now.is(StrategyId::naive); }},

@@ -25,6 +25,8 @@ std::string stage_sentence(const Settings& settings, const StageMoment& moment, 
 
 // What is smaller is shown as nothing, and called so.
 inline constexpr double least_shown_force = 0.005;    // [N]
+// Less hardly drags the handle, whichever way it points.
+inline constexpr double least_dragging_force = 0.05;  // [N]
 inline constexpr double least_shown_slide = 0.00005;  // [m]
 
 // What the moment comes to. Empty: it cannot be known.

@@ -50,8 +50,7 @@ bool is_of_one_piece(const Settings& settings, const PredictedEquilibrium& one, 
     for (std::size_t i = 0; i < most_motors; ++i) strings |= (efforts[i] > least_tension ? 1U : 0U) << i;
     return strings;
   };
-  const bool has_strings = settings.general.mechanism == MechanismKind::strings;
-  return walls(one.at) == walls(other.at) && (!has_strings || tight(one.at) == tight(other.at));
+  return walls(one.at) == walls(other.at) && (!has_strings(settings) || tight(one.at) == tight(other.at));
 }
 
 // Of a general scene: what both are, in shares, beside the smooth way from one rest to the other, where there is one.

@@ -48,11 +48,10 @@ struct WhyWords {
 
 WhyWords words_for(const Settings& settings, const ForceTriangle& forces, const StageLanguage& language) {
   const StrategyId id = settings.active;
-  const bool has_strings = settings.general.mechanism == MechanismKind::strings;
   const StageLanguage::Sentences& sentences = language.sentences;
   const StageLanguage::Why& steps = language.why;
   const bool has_ghost = glm::length(forces.ghost) >= least_shown_force;
-  if (id == StrategyId::full) return {sentences.why_two_motors, "", ""};
+  if (id == StrategyId::full) return {has_strings(settings) ? sentences.every_motor : sentences.why_two_motors, "", ""};
   if (glm::length(forces.share) < least_shown_force) {
     return {sentences.why_nothing_given, steps.no_share_missing, steps.no_share_excess};
   }
@@ -62,10 +61,10 @@ WhyWords words_for(const Settings& settings, const ForceTriangle& forces, const 
   if (id == StrategyId::anisotropic && !has_ghost) {
     return {sentences.why_cured, steps.cured_missing, steps.cured_excess};
   }
-  if (!has_ghost) {
+  if (glm::length(forces.ghost) < least_dragging_force) {
     return {sentences.press_deeper, steps.missing, steps.hardly_any_excess};
   }
-  return {has_strings ? sentences.why_strings : sentences.why_ghost, steps.missing, steps.excess};
+  return {has_strings(settings) ? sentences.why_strings : sentences.why_ghost, steps.missing, steps.excess};
 }
 
 // With every motor there is only the first.

@@ -17,6 +17,7 @@
 #include "app/state/lesson_file.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -149,7 +150,8 @@ std::string number_key_of(StrategyId id) {
 void add_strategies(Entries& entries) {
   entries.group = ActionGroup::strategies;
   for (const Strategy& each : strategy_catalog()) {
-    const StageLanguage::StrategyButton& words = entries.now.language.strategy_buttons[index_of(each.id)];
+    const StrategyWords words =
+        strategy_words(entries.now.language, each.id, has_strings(entries.now.session.settings));
     entries.add(&Name::strategy, fmt::format("{} ({})", words.name, words.about), ChooseStrategy{each.id},
                 number_key_of(each.id));
   }

@@ -9,4 +9,9 @@ const StageLanguage& stage_language(std::string_view code) noexcept {
   return found == stage_languages.end() ? *stage_languages.front() : **found;
 }
 
+StrategyWords strategy_words(const StageLanguage& language, StrategyId id, bool has_strings) noexcept {
+  const StageLanguage::StrategyButton& words = language.strategy_buttons[index_of(id)];
+  return {.name = words.name, .about = has_strings ? words.about_with_strings : words.about};
+}
+
 }  // namespace ghostforce

@@ -33,6 +33,14 @@ static_assert(std::tuple_size_v<decltype(StageLanguage::Motors::waits)> ==
 // English for a language that is not there.
 const StageLanguage& stage_language(std::string_view code) noexcept;
 
+// What the button of a strategy says; `about` is empty where there is room for the name alone.
+struct StrategyWords {
+  std::string_view name;
+  std::string_view about;
+};
+// Of a device with strings, or with motors that push.
+StrategyWords strategy_words(const StageLanguage& language, StrategyId id, bool has_strings) noexcept;
+
 // All entries of a table, or of a part of one, in their order.
 template <typename Table>
 auto words_of(const Table& table) noexcept {

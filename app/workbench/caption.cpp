@@ -36,7 +36,7 @@ std::string_view caption_of(const Settings& settings, const Vector<2>& goal) {
     return "The motor pushes along the wall: it cannot hold the hand back at all. Turn its arrow.";
   }
   const bool has_ghost = glm::length(rest->ghost_force) >= visible_force;
-  if (has_ghost && settings.general.mechanism == MechanismKind::strings) {
+  if (has_ghost && active.id == StrategyId::naive && has_strings(settings)) {
     return "Strings only pull, but are rendered as if they could push, too: a ghost force drags the hand along the "
            "wall.";
   }

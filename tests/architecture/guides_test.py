@@ -20,13 +20,13 @@ WORDS = r"(?:\./demo|ghostforce)((?: [^\s`|#>]+)+)"
 CALL_IN_BLOCK = re.compile(r"^ *(?:\$ )?(?:build/release/bin/)?" + WORDS, re.MULTILINE)
 CALL_IN_TEXT = re.compile("`" + WORDS)
 OPTION = re.compile(r"--[a-z][a-z-]*")
-# What a reader can do where they read it: a line of a block, or a cell that begins a row of a table. With what a reader
-# is told to save first. Other blocks hold data, or answers beside their commands, which that command's tests compare.
+# What a reader can do where they read it: a line of a block, or a cell that begins a row of a table, once they have saved
+# what they are told to. Other blocks hold data, or answers beside their commands, which that command's tests compare.
 LINE = re.compile(r"^ *(?:\./demo|ghostforce)( [^#\n]+)", re.MULTILINE)
 ROW = re.compile(r"^\| `(?:\./demo|ghostforce)( [^`]+)`", re.MULTILINE)
 SAVED_AS = re.compile(r"as `([\w-]+\.toml)`[^`]*\Z")
-# That wants a window, a device, a shell's loop, a tool that may be missing, or a file that the page does not make. The
-# pipes are sweep.md's, which sweep_test compares with what the page prints, and check_lessons_test follows lessons.md.
+# Commands that need a window, a device, a shell's loop, a tool that may be missing, or a file that the page does not
+# make. sweep_test follows the pipes of sweep.md and compares what they print; check_lessons_test follows lessons.md.
 NOT_HERE = re.compile(r"^ *(?:$|-|run\b|doctor\b)|[$|…*]|\.(?:mp4|webm)\b|\b(?:my[-_]lesson|visit|steep|from-a-browser)")
 SCRIPT = re.compile(r"^ *(?:\$ )?(?:bash )?(\.?/?[\w./-]+)", re.MULTILINE)
 
@@ -86,7 +86,7 @@ class Reader:
     def do(self, page, words):
         if NOT_HERE.search(words):
             return
-        # Of the reader's own pictures check.md alone tells how they are made.
+        # Only check.md says how to make the reader's pictures.
         if "pictures" in words and not (self.folder / "pictures").exists():
             return
         self.run(page, "ghostforce" + words)

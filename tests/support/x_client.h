@@ -60,26 +60,17 @@ class XClient {
     xcb_set_selection_owner(connection_.get(), make_window(), atom(selection), XCB_CURRENT_TIME);
     wait();
   }
-  // The next request of another client for it: is answered with this text.
+  // The next request of another client for it is answered with this text.
   void answer_with(const std::string& text) {
+    while (!answers_with(text, *next_event())) {
+    }
+  }
+  // So are all of them, until another client owns it.
+  void answer_until_another_owns_it(const std::string& text) {
     for (;;) {
-      const std::unique_ptr<xcb_generic_event_t, decltype(&std::free)> event(xcb_wait_for_event(connection_.get()),
-                                                                             std::free);
-      if (!event) throw std::runtime_error("the display has gone");
-      if (event->response_type != XCB_SELECTION_REQUEST) continue;
-      const auto& request = reinterpret_cast<const xcb_selection_request_event_t&>(*event);
-      xcb_change_property(connection_.get(), XCB_PROP_MODE_REPLACE, request.requestor, request.property, request.target,
-                          8, static_cast<std::uint32_t>(text.size()), text.data());
-      std::array<char, 32> bytes{};
-      xcb_selection_notify_event_t answer{};
-      answer.response_type = XCB_SELECTION_NOTIFY;
-      answer.requestor = request.requestor;
-      answer.selection = request.selection;
-      answer.target = request.target;
-      answer.property = request.property;
-      std::memcpy(bytes.data(), &answer, sizeof answer);
-      xcb_send_event(connection_.get(), 0, request.requestor, 0, bytes.data());
-      return wait();
+      const Event event = next_event();
+      if ((event->response_type & 0x7F) == XCB_SELECTION_CLEAR) return;
+      answers_with(text, *event);
     }
   }
   bool is_owned(const std::string& selection) {
@@ -109,6 +100,31 @@ class XClient {
   }
 
  private:
+  using Event = std::unique_ptr<xcb_generic_event_t, decltype(&std::free)>;
+
+  Event next_event() {
+    Event event(xcb_wait_for_event(connection_.get()), std::free);
+    if (!event) throw std::runtime_error("the display has gone");
+    return event;
+  }
+  // False: it is no request.
+  bool answers_with(const std::string& text, const xcb_generic_event_t& event) {
+    if (event.response_type != XCB_SELECTION_REQUEST) return false;
+    const auto& request = reinterpret_cast<const xcb_selection_request_event_t&>(event);
+    xcb_change_property(connection_.get(), XCB_PROP_MODE_REPLACE, request.requestor, request.property, request.target,
+                        8, static_cast<std::uint32_t>(text.size()), text.data());
+    std::array<char, 32> bytes{};
+    xcb_selection_notify_event_t answer{};
+    answer.response_type = XCB_SELECTION_NOTIFY;
+    answer.requestor = request.requestor;
+    answer.selection = request.selection;
+    answer.target = request.target;
+    answer.property = request.property;
+    std::memcpy(bytes.data(), &answer, sizeof answer);
+    xcb_send_event(connection_.get(), 0, request.requestor, 0, bytes.data());
+    wait();
+    return true;
+  }
   xcb_atom_t atom(const std::string& name) {
     const std::unique_ptr<xcb_intern_atom_reply_t, decltype(&std::free)> reply(
         xcb_intern_atom_reply(

@@ -7,7 +7,7 @@
 
 namespace ghostforce {
 
-// As long as somebody waits for what was pasted, or for a window to close.
+// About as long as a person waits for a paste, or for a window to close.
 inline constexpr std::int64_t clipboard_patience_ns = 1'000'000'000;
 inline constexpr std::uint32_t most_clipboard_bytes = 1 << 20;
 

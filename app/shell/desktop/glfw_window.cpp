@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include <GLFW/glfw3.h>
@@ -56,8 +57,8 @@ GlfwWindow::GlfwWindow(const WindowOptions& options) : opengl_(OpenGlWindow::ope
     auto* const window = static_cast<GlfwWindow*>(ImGui::GetPlatformIO().Platform_ClipboardUserData);
     std::optional<std::string> text = window->clipboard_text();
     if (!text) return nullptr;  // nothing is pasted into the field yet
-    window->field_text_ = *std::move(text);
-    return window->field_text_.c_str();
+    window->pasting_.field_text = *std::move(text);
+    return window->pasting_.field_text.c_str();
   };
 }
 
@@ -206,6 +207,7 @@ void GlfwWindow::on_anything(GLFWwindow* handle, What...) {
 
 template <typename... What>
 void GlfwWindow::on_act(GLFWwindow* handle, What...) {
+  window_of(handle).pasting_.untaken = 0;
   window_of(handle).note_act();
 }
 
@@ -220,7 +222,7 @@ void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
   GlfwWindow& window = window_of(handle);
-  if (action == GLFW_PRESS) window.pasted_.reset();
+  if (action == GLFW_PRESS) window.pasting_.untaken = 0;
   window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT}, glfwGetKeyName(key, scancode),
                        action != GLFW_RELEASE);
 }
@@ -297,23 +299,39 @@ std::optional<std::string> GlfwWindow::clipboard_text() {
     const char* const text = glfwGetClipboardString(handle());
     return text == nullptr ? "" : text;
   }
-  if (pasted_) return std::exchange(pasted_, std::nullopt);
-  if (reading_.valid()) return std::nullopt;
-  std::packaged_task<std::string()> task(x11_clipboard_ ? [] { return X11Clipboard::text(); }
-                                                        : [] { return WaylandClipboard::text(); });
-  reading_ = task.get_future();
-  reader_ = std::jthread([task = std::move(task)]() mutable {
-    task();
-    glfwPostEmptyEvent();
-  });
+  if (pasting_.untaken > 0) {
+    --pasting_.untaken;
+    return pasting_.text;
+  }
+  ++pasting_.asked;
+  if (!pasting_.reading.valid()) begin_reading();
   return std::nullopt;
 }
 
-void GlfwWindow::take_text_read() {
-  if (!reading_.valid() || reading_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+void GlfwWindow::begin_reading() {
+  std::packaged_task<std::string()> task(x11_clipboard_ ? [] { return X11Clipboard::text(); }
+                                                        : [] { return WaylandClipboard::text(); });
+  pasting_.reading = task.get_future();
   try {
-    pasted_ = reading_.get();
-    add_paste();
+    pasting_.reader = std::jthread([task = std::move(task)]() mutable {
+      task();
+      glfwPostEmptyEvent();
+    });
+  } catch (const std::system_error& error) {
+    pasting_.reading = {};
+    pasting_.asked = 0;
+    note_clipboard_problem(fmt::format("The clipboard cannot be read: {}.", error.code().message()));
+  }
+}
+
+void GlfwWindow::take_text_read() {
+  if (!pasting_.reading.valid()) return;
+  if (pasting_.reading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  const int asked = std::exchange(pasting_.asked, 0);
+  try {
+    pasting_.text = pasting_.reading.get();
+    pasting_.untaken = asked;
+    for (int i = 0; i < asked; ++i) add_paste();
   } catch (const Failure& failure) {
     note_clipboard_problem(failure.what());
   }

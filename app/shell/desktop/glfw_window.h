@@ -67,15 +67,20 @@ class GlfwWindow : public Window {
   static void on_drop(GLFWwindow* window, int count, const char** paths);
 
   void fit_canvas();
+  void begin_reading();
   void take_text_read();
 
   OpenGlWindow opengl_;
   std::optional<X11Clipboard> x11_clipboard_;  // after GLFW, which it needs
   std::optional<WaylandClipboard> wayland_clipboard_;
-  std::future<std::string> reading_;       // of the clipboard; without a state: nobody has asked
-  std::jthread reader_;                    // waits at most as long as a reading may
-  std::optional<std::string> pasted_;      // until the next key: what was read, which whoever asked has not taken yet
-  std::string field_text_;                 // pasted into a field of Dear ImGui
+  struct {
+    std::future<std::string> reading;  // invalid: nothing is being read
+    std::jthread reader;               // waits at most as long as a reading may
+    int asked = 0;                     // while it is being read, how often
+    std::string text;
+    int untaken = 0;         // of those that have asked; a key or a button that comes before them sets it to 0
+    std::string field_text;  // pasted into a field of Dear ImGui
+  } pasting_;
   std::optional<gl::Canvas> canvas_;       // offscreen
   std::optional<gl::Renderbuffer> depth_;  // of the canvas
   bool was_told_of_focus_ = true;

@@ -18,11 +18,16 @@ namespace {
 // Asks for a selection, from a window that nobody sees.
 class SelectionReader {
  public:
-  SelectionReader() : connection_(xcb_connect(nullptr, nullptr)), window_(xcb_generate_id(connection_.get())) {
+  SelectionReader() : connection_(xcb_connect(nullptr, nullptr)) {
+    if (!is_connected()) return;
+    window_ = xcb_generate_id(connection_.get());
     const xcb_screen_t* const screen = xcb_setup_roots_iterator(xcb_get_setup(connection_.get())).data;
     xcb_create_window(connection_.get(), XCB_COPY_FROM_PARENT, window_, screen->root, 0, 0, 1, 1, 0,
                       XCB_WINDOW_CLASS_INPUT_ONLY, XCB_COPY_FROM_PARENT, 0, nullptr);
   }
+
+  // False: the server takes no more connections, and nothing else may be asked for.
+  bool is_connected() const { return xcb_connection_has_error(connection_.get()) == 0; }
 
   xcb_atom_t atom(std::string_view name) const {
     const auto request = xcb_intern_atom(connection_.get(), 0, static_cast<std::uint16_t>(name.size()), name.data());
@@ -73,7 +78,7 @@ class SelectionReader {
 
  private:
   XcbConnection connection_;
-  xcb_window_t window_;
+  xcb_window_t window_ = XCB_WINDOW_NONE;
 };
 
 }  // namespace
@@ -81,6 +86,7 @@ class SelectionReader {
 X11Clipboard::~X11Clipboard() {
   if (owner_ == 0) return;
   const SelectionReader reader;
+  if (!reader.is_connected()) return;
   const xcb_atom_t clipboard = reader.atom("CLIPBOARD");
   const xcb_atom_t manager = reader.atom("CLIPBOARD_MANAGER");
   if (reader.owner(clipboard) != owner_ || reader.owner(manager) == XCB_WINDOW_NONE) return;
@@ -90,11 +96,12 @@ X11Clipboard::~X11Clipboard() {
 void X11Clipboard::copy(GLFWwindow* window, const std::string& text) {
   glfwSetClipboardString(window, text.c_str());  // returns once the server has done it
   const SelectionReader reader;
-  owner_ = reader.owner(reader.atom("CLIPBOARD"));
+  if (reader.is_connected()) owner_ = reader.owner(reader.atom("CLIPBOARD"));
 }
 
 std::string X11Clipboard::text() {
   const SelectionReader reader;
+  if (!reader.is_connected()) throw_clipboard_is_silent();
   const xcb_atom_t clipboard = reader.atom("CLIPBOARD");
   if (reader.owner(clipboard) == XCB_WINDOW_NONE) return {};
   const std::optional<xcb_atom_t> property = reader.ask(clipboard, reader.atom("UTF8_STRING"));

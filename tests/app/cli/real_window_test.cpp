@@ -2,9 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <string>
+#include <thread>
 
 #include "app/picture/theme.h"
 #include "tests/support/display.h"
@@ -225,21 +230,74 @@ TEST(RealWindow, ClosesByItselfWhenAsked) {
   EXPECT_EQ(program.end(0), 0);
 }
 
-TEST(RealWindow, PastesWhatAnotherProgramHasCopiedAndWhatItselfHas) {
+std::ptrdiff_t different_bytes(const Image& one, const Image& other) {
+  if (one.rgb.size() != other.rgb.size()) return std::ssize(one.rgb);
+  return std::inner_product(one.rgb.begin(), one.rgb.end(), other.rgb.begin(), std::ptrdiff_t{0}, std::plus<>(),
+                            std::not_equal_to<>());
+}
+
+// Another program that owns the clipboard, until the window does.
+class Copied {
+ public:
+  Copied(const Display& display, const std::string& text)
+      : client_(display.environment().front().substr(std::string("DISPLAY=").size())) {
+    client_.own("CLIPBOARD");
+    answers_ = std::thread([this, text] { client_.answer_until_another_owns_it(text); });
+  }
+  ~Copied() { answers_.join(); }
+  Copied(const Copied&) = delete;
+  Copied& operator=(const Copied&) = delete;
+
+ private:
+  XClient client_;
+  std::thread answers_;
+};
+
+TEST(RealWindow, PastesASetUpThatAnotherProgramHasCopiedAndThenItsOwn) {
   const Display display(1280, 800);
-  const std::string name = display.environment().front().substr(std::string("DISPLAY=").size());
-  XClient other(name);
-  other.own("CLIPBOARD");
+  const Copied copied(display, "ghostforce run wall45 --strategy anisotropic --view workbench");
   BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
   ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }));
-  display.act({"key", "ctrl+v"});
-  other.answer_with("ghostforce run wall45 --strategy anisotropic --view workbench");
-  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  // Again where a busy machine has let the other program answer too late.
+  EXPECT_TRUE(display.becomes([&](const Image& image) {
+    const bool is_pasted = bar_shows(image, StrategyId::anisotropic);
+    if (!is_pasted) display.act({"key", "ctrl+v"});
+    return is_pasted;
+  }));
   display.act({"key", "ctrl+c"});
   display.act({"key", "1"});
-  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::full); }));
-  display.act({"key", "ctrl+v"});
-  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::anisotropic); }));
+  EXPECT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::full); }));
+  EXPECT_TRUE(display.becomes([&](const Image& image) {
+    const bool is_pasted = bar_shows(image, StrategyId::anisotropic);
+    if (!is_pasted) display.act({"key", "ctrl+v"});
+    return is_pasted;
+  }));
+  EXPECT_EQ(program.end(SIGTERM), 130);
+}
+
+// The text comes while V is still held down.
+TEST(RealWindow, PastesIntoAField) {
+  const Display display(1280, 800);
+  BackgroundProgram program({ghostforce_program(), "run", "--view", "workbench", "--no-hints"}, display.environment());
+  ASSERT_TRUE(display.becomes([](const Image& image) { return bar_shows(image, StrategyId::naive); }));
+  const Copied copied(display, "anisotropic");
+  Image palette = display.picture();
+  display.act({"key", "ctrl+p"});
+  constexpr std::ptrdiff_t rows_of_the_palette = 30'000;
+  ASSERT_TRUE(
+      display.becomes([&](const Image& image) { return different_bytes(image, palette) > rows_of_the_palette; }));
+  palette = display.picture();
+  EXPECT_TRUE(display.becomes([&](const Image& image) {
+    const bool is_pasted = different_bytes(image, palette) > rows_of_the_palette / 2;
+    if (!is_pasted) {
+      display.act({"keydown", "ctrl", "keydown", "v"});
+      display.act({"keyup", "v", "keyup", "ctrl"});
+    }
+    return is_pasted;
+  })) << "it has fewer rows once something stands in its field";
+  display.act({"key", "Escape"});
+  display.act({"key", "Escape"});
+  display.act({"key", "ctrl+c"});
   EXPECT_EQ(program.end(SIGTERM), 130);
 }
 

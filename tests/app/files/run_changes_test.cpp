@@ -89,6 +89,7 @@ TEST(RunChanges, OfBracketsThatAreNoneOrOutOfRangeAreRefused) {
                                         "device.anchors_mm=[[1, 2], [3, 4], [5, 6], [7, 8], [9, 10]]"}) {
     EXPECT_NE(words_of_refusal(run_with({std::string(change)}, 1, "string")), "") << change;
   }
+  EXPECT_NE(words_of_refusal(run_with({"wall.center_mm=[1, 2]"})).find("belongs to kind"), std::string::npos);
   // Each alone is in range, and together they are no corner.
   EXPECT_NE(words_of_refusal(run_with({"wall.normals_deg=[80, 81]"}, 1, "corner")).find("normals_deg"),
             std::string::npos);

@@ -120,7 +120,8 @@ TEST_P(StageMeasuringTest, CanBeReadFromTheLastRow) {
       const Drawn drawn(shown.compose());
       for (const LabelExtent& label : drawn.extents.labels) {
         // As tests/app/stage/stage_test.cpp has it: nominal letters of a thirtieth of the height.
-        if (std::ranges::count(GetParam()->strategy_buttons, label.words, &StrategyWords::about) > 0) continue;
+        if (std::ranges::count(GetParam()->strategy_buttons, label.words, &StageLanguage::StrategyButton::about) > 0)
+          continue;
         EXPECT_GE(label.style.height / 1.17, 0.8 * size.y / 30.0) << label.words << " in " << words_for(shown);
       }
     }

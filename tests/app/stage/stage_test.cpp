@@ -390,7 +390,8 @@ TEST_P(Stage, CanBeReadFromTheLastRow) {
         shown.scale = scale;
         for (const LabelExtent& label : Drawn(shown.compose()).extents.labels) {
           // For those who sit near; the name above it is for all.
-          if (std::ranges::count(GetParam()->strategy_buttons, label.words, &StrategyWords::about) > 0) continue;
+          if (std::ranges::count(GetParam()->strategy_buttons, label.words, &StageLanguage::StrategyButton::about) > 0)
+            continue;
           EXPECT_GE(label.style.height / 1.17, size.y / 30.0 - 1e-9) << label.words << " in " << words_for(shown);
         }
       }
@@ -405,7 +406,7 @@ TEST_P(Stage, SaysWhatEachStrategyIsWhereThereIsRoom) {
     StageCase shown = case_at(wall45(), wall45_goal);
     shown.size = size;
     const Drawn drawn(shown.compose());
-    for (const StrategyWords& strategy : GetParam()->strategy_buttons) {
+    for (const StageLanguage::StrategyButton& strategy : GetParam()->strategy_buttons) {
       const bool is_told = std::ranges::count(drawn.extents.labels, strategy.about, &LabelExtent::words) > 0;
       EXPECT_EQ(is_told, has_room) << strategy.about << " in " << words_for(shown);
     }
@@ -414,7 +415,8 @@ TEST_P(Stage, SaysWhatEachStrategyIsWhereThereIsRoom) {
 
 TEST_P(Stage, MakesNoLettersSmallerForTheNamesOfStrategies) {
   StageLanguage terse = *GetParam();
-  for (StrategyWords& each : terse.strategy_buttons) each = {.name = "A", .about = ""};
+  for (StageLanguage::StrategyButton& each : terse.strategy_buttons)
+    each = {.name = "A", .about = "", .about_with_strings = ""};
   for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 800.0), Vector<2>(640.0, 700.0)}) {
     StageCase shown = case_at(wall45(), wall45_goal);
     shown.size = size;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/state/keys.h"
+
 namespace ghostforce::window_test {
 namespace {
 
@@ -35,6 +37,36 @@ TEST(Window, DrawsOnAllOfItWhateverItsSizeIsAndWhateverElseWasDrawn) {
     EXPECT_EQ(last_red(window.picture_of(2, [] {})), 0) << "a picture of its own, with nothing in it";
     EXPECT_EQ(last_red(window.picture()), 200) << "the window's again";
   }
+}
+
+class PastingWindow : public GlfwWindow {
+ public:
+  PastingWindow() : GlfwWindow({.title = "test", .width = 64, .height = 48, .offscreen = true}) {}
+
+  // Until ImGui has taken all that was handed on to it: how often that was Ctrl+V.
+  int pastes() {
+    for (; !key_events().empty(); key_events().pop_front()) hand_on(key_events().front());
+    int count = 0;
+    for (int i = 0; i < 10; ++i) {
+      frame(0.0, [&count] {
+        if (ImGui::IsKeyPressed(ImGuiKey_V, false) && ImGui::GetIO().KeyCtrl) ++count;
+      });
+    }
+    return count;
+  }
+  using Window::add_paste;
+};
+
+TEST(Window, PastesOnceTheTextIsThereWhetherOrNotTheKeyIsStillDown) {
+  PastingWindow window;
+  window.key_events().push_back({.press = {key::v, modifier::control, false}});
+  EXPECT_EQ(window.pastes(), 1);
+  window.add_paste();
+  EXPECT_EQ(window.pastes(), 1) << "V is down";
+  window.add_paste();
+  window.add_paste();
+  EXPECT_EQ(window.pastes(), 2) << "asked for twice";
+  EXPECT_FALSE(ImGui::GetIO().KeyCtrl);
 }
 
 }  // namespace
