@@ -148,7 +148,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {"fully actuated stands without quotes; write \"fully actuated\""}},
         BadFile{"NoQuotesAndABracket", "\"naive\"", "naive]", "16:14", {"Error while parsing"}},
         BadFile{"InfinityInWords", "= 135.0", "= Infinity", "6:14", {"TOML has no Infinity; write inf"}},
-        BadFile{"KeyTwice", "= 135.0", "= 135.0\nnormal_deg = inf", "7:14", {"cannot redefine"}},
+        BadFile{"InfTwice", "= 135.0", "= 135.0\nnormal_deg = inf", "7:14", {"cannot redefine"}},
         BadFile{"BlankInAKey", "strategy = \"naive\"", "stra tegy = naive", "16:6", {"expected"}},
         BadFile{"CommaAtTheEnd", "= 135.0", "= 135.0,", "6:19", {"a comma stands at the end; leave it out"}},
         BadFile{"TrueAndMore", "= 135.0", "= true x", "6:19", {"expected a comment or whitespace"}},

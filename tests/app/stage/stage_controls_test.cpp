@@ -106,7 +106,7 @@ TEST_F(StageControls, TellTheNumbersOfTheStage) {
 TEST_F(StageControls, CallThePartOfTheWallsPushNotThePush) {
   EXPECT_EQ(control("value-share").words, "the motor's part of the wall's push: 2.12 N");
   session.settings.active = StrategyId::full;
-  EXPECT_EQ(control("value-share").words, "the wall's push, by two motors: 3.00 N");
+  EXPECT_EQ(control("value-share").words, "the wall's push, with every motor: 3.00 N");
   use("mode-why");
   EXPECT_EQ(control("why-1").words, "1  the wall pushes straight out: 3.00 N");
 }
