@@ -24,7 +24,7 @@ std::string stage_sentence(const Settings& settings, const StageMoment& moment, 
                            const StageLanguage& language);
 
 // What is smaller is shown as nothing, and called so.
-inline constexpr double least_shown_force = 0.005;    // [N]
+inline constexpr double least_shown_force = 0.005;  // [N]
 // Less hardly drags the handle, whichever way it points.
 inline constexpr double least_dragging_force = 0.05;  // [N]
 inline constexpr double least_shown_slide = 0.00005;  // [m]
