@@ -11,6 +11,7 @@
 
 #include "app/shell/desktop/display_watch.h"
 #include "app/shell/desktop/glfw_audience_window.h"
+#include "app/shell/keyboard.h"
 #include "app/state/keys.h"
 
 // ImGui's OpenGL backend has a loader of its own that looks into libGL, where it finds nothing under OSMesa. This is
@@ -207,7 +208,6 @@ void GlfwWindow::on_anything(GLFWwindow* handle, What...) {
 
 template <typename... What>
 void GlfwWindow::on_act(GLFWwindow* handle, What...) {
-  window_of(handle).pasting_.untaken = 0;
   window_of(handle).note_act();
 }
 
@@ -222,7 +222,6 @@ void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
   GlfwWindow& window = window_of(handle);
-  if (action == GLFW_PRESS) window.pasting_.untaken = 0;
   window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT}, glfwGetKeyName(key, scancode),
                        action != GLFW_RELEASE);
 }
@@ -325,6 +324,8 @@ void GlfwWindow::begin_reading() {
 }
 
 void GlfwWindow::take_text_read() {
+  // Nobody has taken it, and it may not be the clipboard's any more.
+  if (!Keyboard::is_waiting(*this)) pasting_.untaken = 0;
   if (!pasting_.reading.valid()) return;
   if (pasting_.reading.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
   const int asked = std::exchange(pasting_.asked, 0);

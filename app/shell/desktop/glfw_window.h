@@ -78,7 +78,7 @@ class GlfwWindow : public Window {
     std::jthread reader;               // waits at most as long as a reading may
     int asked = 0;                     // while it is being read, how often
     std::string text;
-    int untaken = 0;         // of those that have asked; a key or a button that comes before them sets it to 0
+    int untaken = 0;         // of those that have asked; 0 once all keys have been taken
     std::string field_text;  // pasted into a field of Dear ImGui
   } pasting_;
   std::optional<gl::Canvas> canvas_;       // offscreen
