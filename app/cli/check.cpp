@@ -262,7 +262,6 @@ int check_cases(const CheckOptions& options, bool& has_report) {
   const auto write_line = [&](const std::string& line) {
     if (!options.json) lines.write(line);
   };
-  const std::size_t count = report.cases.size();
   const Evaluation evaluation{.folder = options.folder,
                               .wants_pictures = to_folder.has_value(),
                               .jobs = options.jobs,
@@ -275,7 +274,7 @@ int check_cases(const CheckOptions& options, bool& has_report) {
   });
   if (to_folder) to_folder->write(report);
   has_report = to_folder.has_value();
-  write_line(fmt::format("{} {}, {} failed", count, count == 1 ? "case" : "cases", report.failed()));
+  write_line(report.counts());
   if (options.json) lines.write(report_as_json(report));
   for (const Verdict& verdict : report.verdicts) {
     if (!verdict.passes) tell_of_failure(verdict);

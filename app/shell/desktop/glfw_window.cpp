@@ -221,9 +221,8 @@ void GlfwWindow::on_pointer(GLFWwindow* handle, double /*x*/, double /*y*/) {
 }
 
 void GlfwWindow::on_key(GLFWwindow* handle, int key, int scancode, int action, int modifiers) {
-  GlfwWindow& window = window_of(handle);
-  window.add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT}, glfwGetKeyName(key, scancode),
-                       action != GLFW_RELEASE);
+  window_of(handle).add_key_event({key, modifiers & known_modifiers, action == GLFW_REPEAT},
+                                  glfwGetKeyName(key, scancode), action != GLFW_RELEASE);
 }
 
 // GLFW tells it right after the key that has typed it; what an input method composes has none.

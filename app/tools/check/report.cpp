@@ -173,6 +173,10 @@ std::ptrdiff_t CheckReport::failed() const {
   return std::ranges::count(verdicts, false, &Verdict::passes);
 }
 
+std::string CheckReport::counts() const {
+  return fmt::format("{} {}, {} failed", verdicts.size(), verdicts.size() == 1 ? "case" : "cases", failed());
+}
+
 double CheckReport::duration_s() const {
   double sum = 0.0;
   for (const Verdict& verdict : verdicts) sum += verdict.duration_s;
@@ -181,8 +185,7 @@ double CheckReport::duration_s() const {
 
 std::string report_as_html(const CheckReport& report) {
   const std::vector<Verdict>& verdicts = report.verdicts;
-  const std::string title =
-      fmt::format("{} {}, {} failed", verdicts.size(), verdicts.size() == 1 ? "case" : "cases", report.failed());
+  const std::string title = report.counts();
   std::string html = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{}{}\n"

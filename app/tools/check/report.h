@@ -21,6 +21,8 @@ struct CheckReport {
   std::vector<Verdict> verdicts{};
 
   std::ptrdiff_t failed() const;
+  // "12 cases, 1 failed"
+  std::string counts() const;
   double duration_s() const;
 };
 
