@@ -42,7 +42,7 @@ void LessonOptions::attach(CLI::App& command, FileOptions& files, std::string_vi
 
 namespace {
 
-constexpr std::string_view lesson_says = "the lesson says what is on the stage";
+constexpr std::string_view lesson_says = "a lesson says what is on the stage";
 constexpr std::array beside_lesson{
     Contradiction{"SCENE", "", lesson_says},
     Contradiction{"--set", "", lesson_says},

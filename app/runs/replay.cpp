@@ -7,6 +7,7 @@
 
 #include "app/base/failure.h"
 #include "app/files/program_build.h"
+#include "core/divergence.h"
 #include "core/simulate.h"
 
 namespace ghostforce {
@@ -53,6 +54,11 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
   }
   if (state != nullptr) ++report_.resumed;
   const Snapshot snapshot = snapshot_of(coefficients_, state_);
+  for (std::size_t i = 0; i < strategy_count; ++i) {
+    if (!is_known_[i] || tick.rows[i] || !has_diverged(snapshot.strategies[i])) continue;
+    is_known_[i] = false;
+    report_.ran_away_s[i] = snapshot.time_s;
+  }
   ++report_.compared;
   if (tick.measured) ++report_.measured;
   bool is_same_tick = true;

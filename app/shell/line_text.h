@@ -1,5 +1,5 @@
-// A value of a recorded session's line as text, and back: what kinds of values Actions have. What has a name is written
-// by it, numbers in the shortest form that reads back exactly. Pure; any thread.
+// A value of a recorded session's line as text, and back: what kinds of values Actions have, and the fields made of
+// them. What has a name is written by it, numbers in the shortest form that reads back exactly. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +19,7 @@
 #include "app/base/quoted.h"
 #include "app/base/shell_word.h"
 #include "app/base/typed_text.h"
+#include "app/shell/action_text.h"
 #include "app/state/action.h"
 
 namespace ghostforce {
@@ -227,5 +228,41 @@ struct LineText<std::optional<T>> {
     return value ? std::optional(value) : std::nullopt;
   }
 };
+
+// --- An object by its fields ---
+
+template <typename T>
+inline constexpr LineValue line_value_of{
+    .wanted = &LineText<T>::wanted,
+    .text = [](const void* value) { return LineText<T>::write(*static_cast<const T*>(value)); },
+    .read =
+        [](std::string_view text, void* value) {
+          auto read = LineText<T>::read(text);
+          if (read) *static_cast<T*>(value) = *std::move(read);
+          return read.has_value();
+        }};
+
+// A value by the members that lead to it.
+template <auto... path>
+struct LinePath {
+  std::string_view name;
+};
+
+template <auto... path>
+constexpr LinePath<path...> line_field(std::string_view name) {
+  return {name};
+}
+
+template <typename Object, auto... path>
+constexpr LineField line_field_of(LinePath<path...> field) {
+  using Value = std::remove_cvref_t<decltype((std::declval<Object&>().*....*path))>;
+  return {field.name, &line_value_of<Value>,
+          [](const void* object) -> const void* { return &((*static_cast<const Object*>(object)).*....*path); }};
+}
+
+template <typename Object>
+constexpr LineKind line_kind(std::string_view name, auto... fields) {
+  return {name, {line_field_of<Object>(fields)...}, sizeof...(fields)};
+}
 
 }  // namespace ghostforce

@@ -15,19 +15,18 @@
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
 #include "app/files/output_file.h"
-#include "app/shell/action_kinds.h"
 #include "app/shell/action_text.h"
 #include "app/shell/line_text.h"
 
 namespace ghostforce {
 namespace {
 
-constexpr auto start_kind = line_kind<SessionStart>(
-    "ghostforce-session", line_field("format", &SessionStart::format), line_field("program", &SessionStart::program),
-    line_field("input", &SessionStart::input), line_field("face", &SessionStart::face),
-    line_field("mode", &SessionStart::mode), line_field("lesson", &SessionStart::lesson),
-    line_field("language", &SessionStart::language), line_field("width", &SessionStart::width),
-    line_field("height", &SessionStart::height), line_field("scene", &SessionStart::scene));
+constexpr LineKind start_kind = line_kind<SessionStart>(
+    "ghostforce-session", line_field<&SessionStart::format>("format"), line_field<&SessionStart::program>("program"),
+    line_field<&SessionStart::input>("input"), line_field<&SessionStart::face>("face"),
+    line_field<&SessionStart::mode>("mode"), line_field<&SessionStart::lesson>("lesson"),
+    line_field<&SessionStart::language>("language"), line_field<&SessionStart::width>("width"),
+    line_field<&SessionStart::height>("height"), line_field<&SessionStart::scene>("scene"));
 
 constexpr std::string_view end_name = "end";
 
@@ -100,7 +99,8 @@ class SessionReader {
         return false;
       }
     }
-    if (auto read = read_fields(start_kind, words.front(), std::span(words).subspan(1))) start = *std::move(read);
+    SessionStart read;
+    if (read_fields(start_kind, words.front(), std::span(words).subspan(1), &read)) start = std::move(read);
     if (start.width < 1 || start.height < 1 || start.width > most_points || start.height > most_points)
       refuse(1, fmt::format("no window has {}×{} points", start.width, start.height),
              fmt::format("give a width and a height from 1 to {}", most_points));
@@ -131,34 +131,27 @@ class SessionReader {
   }
 
   std::optional<Action> read_action(const LineWord& name, std::span<const LineWord> words) {
-    std::optional<Action> action;
-    std::vector<std::string_view> names{end_name};
-    const auto is_read_as = [&](const auto& kind) {
-      names.push_back(kind.name);
-      if (name.has_value || kind.name != name.text) return false;
-      if (auto read = read_fields(kind, name, words)) action = *std::move(read);
-      return true;
-    };
-    const bool is_known = std::apply([&](const auto&... kinds) { return (is_read_as(kinds) || ...); }, action_kinds);
-    if (!is_known) {
-      refuse(name.column, fmt::format("'{}' is nothing that can be done", quoted_text(name.text)),
-             "name an action of docs/sessions.md" + did_you_mean(name.text, names));
+    for (const ActionKind& kind : action_kinds()) {
+      if (name.has_value || kind.line.name != name.text) continue;
+      Action action = kind.make();
+      return read_fields(kind.line, name, words, object_of(action)) ? std::optional(std::move(action)) : std::nullopt;
     }
-    return action;
+    std::vector<std::string_view> names{end_name};
+    for (const ActionKind& kind : action_kinds()) names.push_back(kind.line.name);
+    refuse(name.column, fmt::format("'{}' is nothing that can be done", quoted_text(name.text)),
+           "name an action of docs/sessions.md" + did_you_mean(name.text, names));
+    return std::nullopt;
   }
 
-  template <typename Object, typename... Fields>
-  std::optional<Object> read_fields(const LineKind<Object, Fields...>& kind, const LineWord& name,
-                                    std::span<const LineWord> words) {
-    Object object{};
+  // False: not all of it can be read, and the object is of no use.
+  bool read_fields(const LineKind& kind, const LineWord& name, std::span<const LineWord> words, void* object) {
     bool is_sound = true;
     std::vector<std::string_view> known;
     const auto refuse_field = [&](std::size_t column, std::string what, std::string remedy) {
       refuse(column, std::move(what), std::move(remedy));
       is_sound = false;
     };
-    const auto read = [&]<typename Field>(const Field& field) {
-      using Text = LineText<ValueAt<Field, Object>>;
+    for (const LineField& field : kind.fields()) {
       known.push_back(field.name);
       const LineWord* found = nullptr;
       for (const LineWord& word : words) {
@@ -167,24 +160,20 @@ class SessionReader {
         found = &word;
       }
       if (found == nullptr) {
-        return refuse_field(name.column, fmt::format("{} lacks {}", kind.name, field.name),
-                            fmt::format("add {}=…, {}", field.name, Text::wanted()));
-      }
-      if (auto value = Text::read(found->text)) {
-        field.of(object) = *std::move(value);
-      } else {
+        refuse_field(name.column, fmt::format("{} lacks {}", kind.name, field.name),
+                     fmt::format("add {}=…, {}", field.name, field.type->wanted()));
+      } else if (!field.read(found->text, object)) {
         refuse_field(found->column, fmt::format("{} is '{}'", field.name, quoted_text(found->text)),
-                     fmt::format("give {}", Text::wanted()));
+                     fmt::format("give {}", field.type->wanted()));
       }
-    };
-    std::apply([&](const auto&... fields) { (read(fields), ...); }, kind.fields);
+    }
     for (const LineWord& word : words) {
       const std::string& typed = word.has_value ? word.name : word.text;
       if (word.has_value && std::ranges::find(known, typed) != known.end()) continue;
       refuse_field(word.column, fmt::format("{} has no '{}'", kind.name, quoted_text(typed)),
                    "remove it" + did_you_mean(typed, known));
     }
-    return is_sound ? std::optional(std::move(object)) : std::nullopt;
+    return is_sound;
   }
 
   // The words between blanks. Empty: one of them is no word.
@@ -275,7 +264,7 @@ class SessionReader {
 }  // namespace
 
 std::string start_line(const SessionStart& start) {
-  return kind_text(start_kind, start) + '\n';
+  return kind_text(start_kind, &start) + '\n';
 }
 
 std::string action_line(const TimedAction& timed) {

@@ -124,8 +124,16 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
     meter->start(scene.settings, circle);
   }
   const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
+  std::optional<Failure> other_ran_away;  // told where the one that was asked for does not
   simulate(scene, tick_at(scene, until_s), [&](const Snapshot& snapshot) {
-    if (const auto id = diverged_strategy(snapshot)) throw unstable_loop(*id, snapshot.time_s);
+    if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
+    const StrategyId active = scene.settings.active;
+    if (has_diverged(snapshot.strategies[index_of(active)])) throw unstable_loop(active, snapshot.time_s);
+    if (other_ran_away) return;
+    if (const auto id = diverged_strategy(snapshot)) {
+      other_ran_away = unstable_loop(*id, snapshot.time_s);
+      return;
+    }
     if (is_looked_back_at) {
       moment.history.add(snapshot, scene.settings);
     } else {
@@ -136,9 +144,9 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
       moment.circle = meter->reading();
     }
     moment.snapshot = snapshot;
-    if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
     on_tick(moment);
   });
+  if (other_ran_away) throw *other_ran_away;
   // A lesson's step waits for whoever does it.
   if (request.mode == StageMode::measure && !request.lesson) {
     moment.hand = measure_simulated_hand(scene, moment.snapshot.time_s, StiffnessProbe::gives_up_after_s);

@@ -82,9 +82,24 @@ TEST_F(UnstableLoop, LeavesNoFile) {
 
 TEST_F(UnstableLoop, EndsReplay) {
   const std::string path = run_that_goes_on();
-  expect_refused(run({"replay", path, "-o", folder_ / "again.csv"}), "anisotropic", "run.csv: ");
+  expect_refused(run({"replay", path, "-o", folder_ / "again.csv"}), "naive", "run.csv: ");
   expect_refused(run({"replay", path, "wall45", "-o", folder_ / "again.csv"}, too_slow), "anisotropic");
   EXPECT_EQ(folder_.count(), 1);
+}
+
+// The run is no worse for a device that it does not have.
+TEST_F(UnstableLoop, OfADeviceThatTheRunDoesNotHaveEndsItsRowsAlone) {
+  const std::string path = folder_ / "full.csv";
+  const Outcome simulated = run({"simulate", "wall45", "--strategy", "full", "--set", "device.rate_hz=34", "-o", path});
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  const Outcome replayed = run({"replay", path});
+  EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_NE(replayed.err.find("the anisotropic device, which the run does not have, has run away by t = 2."),
+            std::string::npos)
+      << replayed.err;
+  const ghostforce::Run again = parse(replayed.out);
+  EXPECT_FALSE(again.ticks.back().rows[index_of(StrategyId::anisotropic)]);
+  EXPECT_TRUE(again.ticks.back().rows[index_of(StrategyId::full)]);
 }
 
 TEST_F(UnstableLoop, EndsMeasureUser) {
@@ -92,7 +107,10 @@ TEST_F(UnstableLoop, EndsMeasureUser) {
 }
 
 TEST_F(UnstableLoop, EndsRender) {
-  expect_refused(run({"render", "wall45", "-o", folder_ / "picture.png"}, too_slow), "anisotropic");
+  expect_refused(run({"render", "wall45", "--strategy", "naive", "-o", folder_ / "picture.png"}, too_slow));
+  expect_refused(
+      run({"render", "wall45", "--strategy", "full", "-o", folder_ / "picture.png", "--set", "device.rate_hz=34"}),
+      "anisotropic");
   EXPECT_EQ(folder_.count(), 0);
 }
 
