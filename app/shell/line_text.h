@@ -3,10 +3,12 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <concepts>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -19,7 +21,6 @@
 #include "app/base/quoted.h"
 #include "app/base/shell_word.h"
 #include "app/base/typed_text.h"
-#include "app/shell/action_text.h"
 #include "app/state/action.h"
 
 namespace ghostforce {
@@ -230,6 +231,33 @@ struct LineText<std::optional<T>> {
 };
 
 // --- An object by its fields ---
+
+// Values of one type, as text and back. `value` points to one of them.
+struct LineValue {
+  std::string (*wanted)();                           // what the text has to be
+  std::string (*text)(const void* value);            // without quotes
+  bool (*read)(std::string_view text, void* value);  // false: not that; the value stays as it was
+};
+
+// A value inside an object.
+struct LineField {
+  std::string_view name{};
+  const LineValue* type = nullptr;
+  const void* (*in)(const void* object) = nullptr;
+
+  std::string text(const void* object) const { return type->text(in(object)); }
+  bool read(std::string_view text, void* object) const { return type->read(text, const_cast<void*>(in(object))); }
+};
+
+struct LineKind {
+  static constexpr std::size_t most_fields = 10;
+
+  std::string_view name{};
+  std::array<LineField, most_fields> field_places{};
+  std::size_t field_count = 0;
+
+  constexpr std::span<const LineField> fields() const { return std::span(field_places).first(field_count); }
+};
 
 template <typename T>
 inline constexpr LineValue line_value_of{

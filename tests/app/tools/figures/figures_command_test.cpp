@@ -170,7 +170,7 @@ TEST(FiguresHand, IsRefusedWithARemedy) {
   EXPECT_EQ(unstable.outcome.exit_code, 2);
   EXPECT_TRUE(contains(unstable.outcome.err, "run.csv: the sampled loop is unstable with these settings"))
       << unstable.outcome.err;
-  EXPECT_TRUE(contains(unstable.outcome.err, "--set rendering.k_r_N_per_m=")) << unstable.outcome.err;
+  EXPECT_TRUE(contains(unstable.outcome.err, "ghostforce replay RUN.csv --set KEY=VALUE")) << unstable.outcome.err;
   EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
