@@ -1,4 +1,4 @@
-# ghostforce_add_room([SEPARATE] [COLD | EACH_FRAME] [SOURCES file...] [DESKTOP file...] [PAGE file...])
+# ghostforce_add_room([SEPARATE] [COLD | LOOPS] [EACH_FRAME] [SOURCES file...] [DESKTOP file...] [PAGE file...])
 #
 # One folder as one CMake library, named after it: app/workbench is app_workbench. What it links is its line of rooms.txt,
 # so that each folder can be built and tested by itself. That it includes no more is kept by the architecture test, which
@@ -6,9 +6,9 @@
 #
 # Its sources are one batch (batches.cmake). SEPARATE: each is compiled by itself in every preset. COLD: where no frame
 # and no tick spends time worth measuring, it is optimised less and compiled a third faster. EACH_FRAME: most of the
-# page's script runs through it, which is optimised for speed there; the rest of the page is optimised for size. The
-# address sanitizer's preset optimises only what computes in long loops: compiling takes two thirds of the time then, and
-# its tests as long as before.
+# page's script runs through it, which is optimised for speed there; the rest of the page is optimised for size.
+# LOOPS: tests spend their time in it, and the address sanitizer's preset optimises it. The rest is not optimised there,
+# nor are tests: compiling takes two thirds of the time, which is more than the tests lose.
 #
 # The program has two fronts, a desktop and a page in a browser. DESKTOP sources are compiled for the one only, PAGE
 # sources for the other. Where both stand behind one header, x.h, the desktop's is x.cpp and the page's is x_page.cpp.
@@ -81,7 +81,7 @@ function(room_links folder result)
 endfunction()
 
 function(ghostforce_add_room)
-  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE;COLD;EACH_FRAME" "" "SOURCES;DESKTOP;PAGE")
+  cmake_parse_arguments(PARSE_ARGV 0 arg "SEPARATE;COLD;LOOPS;EACH_FRAME" "" "SOURCES;DESKTOP;PAGE")
   cmake_path(RELATIVE_PATH CMAKE_CURRENT_SOURCE_DIR BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE folder)
   room_library(${folder} name)
   room_links(${folder} links)
@@ -108,7 +108,7 @@ function(ghostforce_add_room)
   if(arg_EACH_FRAME)
     target_compile_options(${name} PRIVATE $<$<CONFIG:MinSizeRel>:-O2>)
   endif()
-  if(arg_EACH_FRAME OR folder MATCHES "^(device/.*|app/files|app/runs)$")
-    target_compile_options(${name} PRIVATE $<$<STREQUAL:${GHOSTFORCE_SANITIZE},address>:-O1>)
+  if(arg_LOOPS AND GHOSTFORCE_SANITIZE STREQUAL "address")
+    target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
   endif()
 endfunction()

@@ -24,19 +24,31 @@ add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building 
 add_custom_target(asan_tests COMMENT "The tests labelled asan, without building the others")
 
 # What all tests include, compiled once, and what all of them are linked with.
-add_library(test_headers OBJECT
-  ${PROJECT_SOURCE_DIR}/tests/support/left_as_found.cpp
-  ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
 set(test_options project_options project_warnings batch_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
 set(test_compile_options $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
   $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
-target_link_libraries(test_headers PRIVATE ${test_options})
-target_compile_options(test_headers PRIVATE ${test_compile_options})
 set_property(SOURCE ${PROJECT_SOURCE_DIR}/tests/support/places.cpp PROPERTY COMPILE_DEFINITIONS
   GHOSTFORCE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" GHOSTFORCE_PROGRAM="$<TARGET_FILE:ghostforce>")
-target_precompile_headers(test_headers PRIVATE
-  <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <sstream>
-  <string> <string_view> <thread> <variant> <vector> <fmt/format.h> <glm/glm.hpp> <gtest/gtest.h>)
+function(add_test_headers name)
+  add_library(${name} OBJECT
+    ${PROJECT_SOURCE_DIR}/tests/support/left_as_found.cpp
+    ${PROJECT_SOURCE_DIR}/tests/support/places.cpp)
+  target_link_libraries(${name} PRIVATE ${test_options})
+  target_compile_options(${name} PRIVATE ${test_compile_options} ${ARGN})
+  target_precompile_headers(${name} PRIVATE
+    <algorithm> <array> <chrono> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <set> <sstream>
+    <string> <string_view> <thread> <variant> <vector> <fmt/format.h> <glm/glm.hpp> <gtest/gtest.h>)
+endfunction()
+add_test_headers(test_headers)
+# The tests of what a person sees and types say what is to happen, and leave computing to what they test: not optimised,
+# they are compiled a quarter faster. Those of the model, half of which is in headers, and of devices are optimised.
+set(app_test_headers test_headers)
+set(app_test_options "")
+if(CMAKE_BUILD_TYPE STREQUAL "Release" AND NOT CMAKE_CROSSCOMPILING)  # an emulator would take longer than the compiler
+  set(app_test_headers app_test_headers)
+  set(app_test_options -O0)
+  add_test_headers(app_test_headers ${app_test_options})
+endif()
 
 # Not of a library that is linked as a whole: an object that replaces the heap must come with those that ask for it only.
 foreach(support IN ITEMS animated_png_reader before_waiting call_guard display file_calls hand_at_wall heap_guard program)
@@ -56,10 +68,16 @@ function(ghostforce_add_test name)
   endif()
   ghostforce_batches(sources ${name} 8 ${arg_SOURCES})
   add_executable(${name} ${sources})
-  target_precompile_headers(${name} REUSE_FROM test_headers)
-  target_compile_options(${name} PRIVATE ${test_compile_options})
+  set(headers test_headers)
+  set(options "")
+  if(CMAKE_CURRENT_SOURCE_DIR MATCHES "/tests/app/")
+    set(headers ${app_test_headers})
+    set(options ${app_test_options})
+  endif()
+  target_precompile_headers(${name} REUSE_FROM ${headers})
+  target_compile_options(${name} PRIVATE ${test_compile_options} ${options})
   list(TRANSFORM arg_SUPPORT PREPEND test_ OUTPUT_VARIABLE support)
-  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} ${support} test_headers GTest::gtest_main ${test_options})
+  target_link_libraries(${name} PRIVATE ${arg_LIBRARIES} ${support} ${headers} GTest::gtest_main ${test_options})
   if(program IN_LIST arg_SUPPORT)
     ghostforce_starts(${name} ghostforce)
   endif()

@@ -109,9 +109,9 @@ std::string verdict(const RunFacts& run, const ReplayReport& report) {
   }
   for (const Strategy& each : strategy_catalog()) {
     if (const auto time_s = report.ran_away_s[index_of(each.id)]) {
-      words +=
-          fmt::format("\nthe {} device, which the run does not have, has run away by t = {:.4g} s; its rows end there",
-                      each.name, *time_s);
+      words += fmt::format(
+          "\nthe {} device, of which the run has no rows there, has run away by t = {:.6g} s; its rows end there",
+          each.name, *time_s);
     }
   }
   if (agreement(run, report) == Agreement::diverging) words += promise_words(run, report);

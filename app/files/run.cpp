@@ -42,7 +42,7 @@ Failure unstable_loop(StrategyId id, double time_s, std::string_view run) {
   const std::string name = quoted_text(run, longest_path);
   return {
       ExitCode::wrong_call,
-      fmt::format("{}{}the sampled loop is unstable with these settings: the {} device has run away by t = {:.4g} s; "
+      fmt::format("{}{}the sampled loop is unstable with these settings: the {} device has run away by t = {:.6g} s; "
                   "lower rendering.k_r_N_per_m, or raise device.rate_hz, device.mass_kg or "
                   "device.damping_N_s_per_m{}",
                   name, name.empty() ? "" : ": ", strategy(id).name, time_s,

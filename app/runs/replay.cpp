@@ -57,7 +57,7 @@ void Replay::take(const RunFacts& run, const RunTick& tick) {
   for (std::size_t i = 0; i < strategy_count; ++i) {
     if (!is_known_[i] || tick.rows[i] || !has_diverged(snapshot.strategies[i])) continue;
     is_known_[i] = false;
-    report_.ran_away_s[i] = snapshot.time_s;
+    if (!report_.ran_away_s[i]) report_.ran_away_s[i] = snapshot.time_s;
   }
   ++report_.compared;
   if (tick.measured) ++report_.measured;

@@ -50,7 +50,7 @@ struct ReplayReport {
   std::int64_t measured = 0;   // of these: their measured device was taken over, not compared
   std::int64_t skipped = 0;    // ticks that cannot be known: something before them is missing
   std::int64_t resumed = 0;    // times that it went on from a recorded state
-  // When a device that the run does not have ran away. It is left out from there on: the run is no worse for it.
+  // When a device of which the run has no rows ran away. Its rows end there: the run is no worse for it.
   PerStrategy<std::optional<double>> ran_away_s{};
   std::optional<Divergence> first;
   std::array<Deviation, replayed_quantity_count> deviations;

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "app/files/toml_document.h"
-#include "app/shell/line_text.h"
 
 namespace ghostforce {
 namespace {

@@ -1,5 +1,5 @@
 // Every Action by name, with its fields: what a line of a session says (session_file.h), as docs/sessions.md lists them.
-// A new Action has its row in action_text.cpp; one that is missing does not compile. Pure; any thread.
+// A new Action has its row in action_text.cpp; one that is missing or out of order does not compile. Pure; any thread.
 #pragma once
 
 #include <span>

@@ -239,18 +239,19 @@ struct LineValue {
   bool (*read)(std::string_view text, void* value);  // false: not that; the value stays as it was
 };
 
-// A value inside an object.
+// A value inside an object. `object` points to one of the type that the field was made for (line_field_of).
 struct LineField {
   std::string_view name{};
   const LineValue* type = nullptr;
-  const void* (*in)(const void* object) = nullptr;
+  const void* (*value_in)(const void* object) = nullptr;
 
-  std::string text(const void* object) const { return type->text(in(object)); }
-  bool read(std::string_view text, void* object) const { return type->read(text, const_cast<void*>(in(object))); }
+  std::string text(const void* object) const { return type->text(value_in(object)); }
+  // The value is part of the object, which may be changed.
+  bool read(std::string_view text, void* object) const { return type->read(text, const_cast<void*>(value_in(object))); }
 };
 
 struct LineKind {
-  static constexpr std::size_t most_fields = 10;
+  static constexpr std::size_t most_fields = 10;  // the first line of a session
 
   std::string_view name{};
   std::array<LineField, most_fields> field_places{};
@@ -270,7 +271,7 @@ inline constexpr LineValue line_value_of{
           return read.has_value();
         }};
 
-// A value by the members that lead to it.
+// The members that lead to a value.
 template <auto... path>
 struct LinePath {
   std::string_view name;

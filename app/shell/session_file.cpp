@@ -132,7 +132,7 @@ class SessionReader {
 
   std::optional<Action> read_action(const LineWord& name, std::span<const LineWord> words) {
     for (const ActionKind& kind : action_kinds()) {
-      if (name.has_value || kind.line.name != name.text) continue;
+      if (kind.line.name != name.text) continue;
       Action action = kind.make();
       return read_fields(kind.line, name, words, object_of(action)) ? std::optional(std::move(action)) : std::nullopt;
     }

@@ -124,7 +124,7 @@ Moment simulate_moments(const PictureRequest& request, const std::optional<doubl
     meter->start(scene.settings, circle);
   }
   const bool is_looked_back_at = request.mode == StageMode::ribbon || meter;
-  std::optional<Failure> other_ran_away;  // told where the one that was asked for does not
+  std::optional<Failure> other_ran_away;  // told where the active one does not
   simulate(scene, tick_at(scene, until_s), [&](const Snapshot& snapshot) {
     if (snapshot.tick % ticks_between_looks == 0) stop_if_interrupted();
     const StrategyId active = scene.settings.active;
