@@ -224,9 +224,10 @@ struct LineText<std::optional<T>> {
     return value ? LineText<T>::write(*value) : std::string(no_value);
   }
   static std::optional<std::optional<T>> read(std::string_view text) {
-    if (text == no_value) return std::optional<T>();
-    const std::optional<T> value = LineText<T>::read(text);
-    return value ? std::optional(value) : std::nullopt;
+    using Read = std::optional<std::optional<T>>;
+    if (text == no_value) return Read(std::in_place);
+    std::optional<T> value = LineText<T>::read(text);
+    return value ? Read(std::in_place, std::move(value)) : std::nullopt;
   }
 };
 
