@@ -2,6 +2,7 @@
 
 #include <array>
 #include <type_traits>
+#include <utility>
 #include <variant>
 
 #include <fmt/format.h>
@@ -165,7 +166,7 @@ const void* object_of(const Action& action) {
 }
 
 void* object_of(Action& action) {
-  return std::visit([](auto& one) -> void* { return &one; }, action);
+  return const_cast<void*>(object_of(std::as_const(action)));
 }
 
 std::string line_value(std::string_view text) {
