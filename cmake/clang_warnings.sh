@@ -4,7 +4,8 @@
 # clang_warnings [COMMIT]: of the sources that differ from that commit, and those that include what does
 # (cmake/changed_sources.py, which also says from which commit on if none is named). They are read and not compiled
 # (cmake/syntax_check.py). Where these are many, all are read in the batches in which they are compiled, which takes less
-# than half the time; each by itself is then left to .ci/long. Benches are among them where their library is installed.
+# than half the time, but for those that clang has just compiled for the address sanitizer; each by itself is then left
+# to .ci/long. Benches are among them where their library is installed.
 clang_warnings() {
   local benches=OFF list changed preset=clang many=150
   [[ ! -e /usr/include/benchmark/benchmark.h ]] || benches=ON
@@ -12,12 +13,15 @@ clang_warnings() {
   list=$("$root/cmake/changed_sources.py" "$@") || fail "What has changed is not known."
   [[ $list ]] || { say "No source has changed."; return; }
   mapfile -t changed <<<"$list"
-  ((${#changed[@]} <= many)) || preset=clang-batches changed=()
+  if ((${#changed[@]} > many)); then
+    preset=clang-batches changed=()
+    ! is_configured asan -DGHOSTFORCE_WARNINGS_AS_ERRORS=ON || changed=(--but-of "$root/build/asan")
+  fi
   # The headers that are made by the build, not when it is configured.
   configure_and_build $preset generated/glad/include/glad/gl.h \
     -DBUILD_TESTING=ON -DGHOSTFORCE_WARNINGS_AS_ERRORS=ON -DGHOSTFORCE_BENCH=$benches
   build $preset generated/embedded/embedded_languages.h
-  logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/$preset/compile_commands.json" "${changed[@]}" ||
+  logged clang-warnings "$root/cmake/syntax_check.py" "$root/build/$preset" "${changed[@]}" ||
     fail_with clang-warnings "clang has something to say."
   say "clang has nothing to say of what changed: $(tail -n 1 "$(log_of clang-warnings)")"
 }

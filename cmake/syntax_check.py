@@ -1,14 +1,18 @@
 #!/usr/bin/env python3
 """Has the compiler read sources as a build would compile them, and makes nothing: it tells of errors and warnings only.
 
-    cmake/syntax_check.py build/clang/compile_commands.json [SOURCE...]
+    cmake/syntax_check.py build/clang [SOURCE...]
+    cmake/syntax_check.py build/clang-batches --but-of build/asan
 
 SOURCE is a path from the checkout's root. Those that this build does not compile are left out, and counted. Without any,
-all that the build compiles of our own code are read. What the compiler says of a source stands in one piece, below "FAILED: " and the source's path. Ends with 1 if it says anything.
+all that the build compiles of our own code are read; --but-of names another build by the same compiler, with the same
+warnings, and leaves out what that has compiled. What the compiler says of a source stands in one piece, below "FAILED: "
+and the source's path. Ends with 1 if it says anything.
 
 What most sources include from outside is read once for all of them, which takes half the time. So a source that lacks
 one of these includes is not found out; a build of the preset clang does that (.ci/long).
 """
+import argparse
 import concurrent.futures
 import functools
 import json
@@ -75,10 +79,33 @@ def is_own(source):
     return path.suffix == ".cpp" and not {"downloads", "generated"} & set(path.relative_to(ROOT).parts)
 
 
-def main(commands, *sources):
-    wanted = {str(ROOT / each) for each in sources}
-    compiled = json.loads(pathlib.Path(commands).read_text(encoding="utf-8"))
-    entries = [each for each in compiled if (each["file"] in wanted if wanted else is_own(each["file"]))]
+def entries_of(build):
+    return json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+
+
+def object_of(entry):
+    """What it is compiled to, as a path in its build."""
+    words = shlex.split(entry["command"])
+    return pathlib.Path(words[words.index("-o") + 1])
+
+
+def objects_in(build):
+    return {made for made in map(object_of, entries_of(build)) if (build / made).exists()}
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("sources", nargs="*")
+    parser.add_argument("--but-of", type=pathlib.Path)
+    arguments = parser.parse_args()
+    wanted = {str(ROOT / each) for each in arguments.sources}
+    compiled = objects_in(arguments.but_of) if arguments.but_of else set()
+    entries = [
+        each
+        for each in entries_of(arguments.build)
+        if (each["file"] in wanted if wanted else is_own(each["file"])) and object_of(each) not in compiled
+    ]
     shared = read_often_included(entries[0]) if len(entries) > FEW else []
     has_failed = False
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
@@ -92,4 +119,4 @@ def main(commands, *sources):
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:]))
+    sys.exit(main())

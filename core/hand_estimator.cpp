@@ -82,7 +82,8 @@ std::string_view sentence_of(HandUnknown why) noexcept {
   return {};
 }
 
-HandEstimator::HandEstimator(double rate, double window_s) noexcept : is_rate_usable_(rate >= least_rate) {
+HandEstimator::HandEstimator(double rate, double window_s) noexcept
+    : is_rate_usable_(rate >= least_rate && rate <= highest_rate) {
   const double usable_rate = is_rate_usable_ ? rate : least_rate;
   averaged_ = static_cast<std::size_t>(std::max(1L, std::lround(usable_rate / least_rate)));
   const double averaged_rate = usable_rate / static_cast<double>(averaged_);

@@ -279,8 +279,10 @@ TEST(HandEstimatorTest, TellsNothingUntilItsWindowIsFull) {
   }
 }
 
-TEST(HandEstimatorTest, RefusesRatesThatAreTooLow) {
-  for (const double rate : {100.0, 200.0, 249.0, 0.0, -1000.0, std::numeric_limits<double>::quiet_NaN()}) {
+TEST(HandEstimatorTest, RefusesRatesThatAreTooLowOrImpossible) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double rate :
+       {100.0, 200.0, 249.0, 0.0, -1000.0, std::numeric_limits<double>::quiet_NaN(), 1e10, 1e300, infinity}) {
     SCOPED_TRACE(rate);
     HandEstimator estimator(rate);
     for (const HandSample& sample : forever(usual_hand, 10.0, 200.0)) estimator.add(sample);

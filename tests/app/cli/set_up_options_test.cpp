@@ -10,6 +10,7 @@
 #include "app/base/shell_word.h"
 #include "app/state/set_up.h"
 #include "app/state/set_up_of.h"
+#include "tests/support/long_run.h"
 #include "tests/support/program.h"
 #include "tests/support/random_set_up.h"
 #include "tests/support/set_up_values.h"
@@ -31,7 +32,8 @@ SetUp opened_with(std::vector<std::string> words) {
 
 TEST(SetUpOptions, GiveWhatTheLineIsOf) {
   Random random(16);
-  for (int i = 0; i < 1000; ++i) {
+  const int lines = is_long_run() ? 1000 : 250;
+  for (int i = 0; i < lines; ++i) {
     const auto set_up = random_set_up(random);
     const std::string line = set_up_line(set_up);
     std::vector<std::string> words = split_shell_words(line).words;

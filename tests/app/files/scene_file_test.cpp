@@ -20,6 +20,7 @@
 #include "app/cli/command.h"
 #include "app/files/input_file.h"
 #include "embedded_scenes.h"
+#include "tests/support/long_run.h"
 #include "tests/support/places.h"
 #include "tests/support/scene_values.h"
 #include "tests/support/temporary_folder.h"
@@ -130,7 +131,7 @@ TEST(SceneFile, ShippedScenesAreThereAndGood) {
 
 TEST(SceneFile, WritesWhatReadsBackBitForBit) {
   RandomScene random(1);
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < trials(1000); ++i) {
     const Scene scene = random.next();
     ASSERT_EQ(scene_values(read_back(scene)), scene_values(scene)) << scene_text(scene);
     ASSERT_EQ(scene_values(rounded_to_file(scene)), scene_values(scene)) << "a scene of a file stays as it is";
@@ -165,7 +166,8 @@ TEST(SceneFile, WritesWhatIsRareOnlyWhereItIs) {
 
 TEST(SceneFile, WritesNumbersAsShortAsTheyWere) {
   // Every mm and degree with one decimal comes out as it went in.
-  for (int tenth = -10'000; tenth <= 10'000; ++tenth) {
+  const int most = trials(10'000);
+  for (int tenth = -most; tenth <= most; ++tenth) {
     Scene scene = load_scene("fig1");
     const double value = tenth / 10.0;
     scene.settings.wall_point.x = value / 1000.0;
@@ -197,7 +199,7 @@ TEST(SceneFile, RoundsWhatNoFileHoldsByTheLastBitOnly) {
   std::mt19937 random(2);
   std::uniform_real_distribution<> metres(-1.0, 1.0);
   int moved = 0;
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < trials(2000); ++i) {
     Scene scene = load_scene("fig1");
     scene.settings.wall_point.x = metres(random);
     scene.settings.wall_normal_angle = 3.0 * metres(random);

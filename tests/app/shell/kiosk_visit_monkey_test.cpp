@@ -15,7 +15,7 @@
 namespace ghostforce::kiosk_visit_monkey_test {
 namespace {
 
-constexpr int frames_of_a_minute = 3600;
+constexpr int frames_of_two_minutes = 7200;
 
 class KioskVisitMonkey : public KioskVisitWindow {
  protected:
@@ -132,7 +132,7 @@ class KioskVisitMonkey : public KioskVisitWindow {
   void let_loose(const std::string& input) {
     input_ = input;
     begin(input);
-    const int most = length_of_run("GHOSTFORCE_VISIT_FRAMES", frames_of_a_minute) / 2;  // with each input
+    const int most = length_of_run("GHOSTFORCE_VISIT_FRAMES", frames_of_two_minutes) / 2;  // with each input
     std::set<std::string> lessons;
     int pauses = 0;
     for (int i = 0; frames_ < most; ++i) {

@@ -10,7 +10,6 @@
 
 #include "app/picture/marks.h"
 #include "tests/support/long_run.h"
-#include "tests/support/sanitized.h"
 
 namespace ghostforce {
 
@@ -19,13 +18,9 @@ inline int number_from_environment(const char* name, int otherwise) {
   return text == nullptr ? otherwise : std::stoi(text);
 }
 
-// How long one goes on: as often as the variable `name` says, else as usual. A sanitizer makes everything five times as
-// slow, so under one it is a third of that, except in a long run.
+// How long one goes on: as often as the variable `name` says, else as usual.
 inline int length_of_run(const char* name, int usual) {
-#ifdef GHOSTFORCE_SANITIZED
-  if (!is_long_run()) usual /= 3;
-#endif
-  return number_from_environment(name, usual);
+  return number_from_environment(name, trials(usual));
 }
 
 // A word that C prints for what is no number; empty: there is none.

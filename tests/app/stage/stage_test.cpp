@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include "tests/app/stage/stage_faults.h"
+#include "tests/support/long_run.h"
 
 namespace ghostforce::stage_test {
 namespace {
@@ -268,7 +269,8 @@ TEST_P(Stage, LeavesOutTheLessImportantWords) {
     ++count[role][0];
     if (drawn.label(role, words) != nullptr) ++count[role][1];
   };
-  for (int i = 0; i < 4000; ++i) {
+  const int cases = is_long_run() ? 4000 : 1000;
+  for (int i = 0; i < cases; ++i) {
     StageCase shown = stage_case_by(dice, *GetParam());
     shown.mode = StageMode::none;
     shown.warning = {};

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/core/random_setting.h"
+#include "tests/support/long_run.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ghostforce::firmware_file_test {
@@ -138,7 +139,7 @@ TEST(FirmwareFile, NothingBreaksIt) {
   Random random(1);
   const Bytes whole = boot_table();
   int taken = 0;
-  for (int i = 0; i < 100000; ++i) {
+  for (int i = 0; i < trials(100'000); ++i) {
     Bytes bytes = whole;
     const int changes = 1 + random.below(6);
     for (int j = 0; j < changes && !bytes.empty(); ++j) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/device/virtual_falcon/rehearsal.h"
+#include "tests/support/long_run.h"
 
 namespace ghostforce::driver_test {
 namespace {
@@ -265,7 +266,7 @@ TEST(FalconDriver, MotorsNeverGetWhatTheyShouldNotWhateverHappensOnTheWay) {
   rehearsal.turn_on();
   int pushed_ticks = 0;
   int off_ticks = 0;
-  for (int i = 0; i < 200'000; ++i) {
+  for (int i = 0; i < trials(200'000); ++i) {
     if (random() % 500 == 0) {
       InjectedFault wrong;
       const auto kinds = injected_fault_catalog();
@@ -297,7 +298,7 @@ TEST(FalconDriver, MotorsNeverGetWhatTheyShouldNotWhateverHappensOnTheWay) {
     }
     for (const std::int16_t counts : rehearsal.input().link().motors()) ASSERT_LE(std::abs(counts), 4095) << i;
   }
-  EXPECT_GT(pushed_ticks, 10'000);
+  EXPECT_GT(pushed_ticks, trials(10'000));
 }
 
 TEST(FalconDriver, TheGripIsADeadMansSwitch) {
