@@ -269,8 +269,8 @@ TEST_P(Stage, LeavesOutTheLessImportantWords) {
     ++count[role][0];
     if (drawn.label(role, words) != nullptr) ++count[role][1];
   };
-  const int cases = is_long_run() ? 4000 : 1000;
-  for (int i = 0; i < cases; ++i) {
+  const int pictures = is_long_run() ? 4000 : 1000;
+  for (int i = 0; i < pictures; ++i) {
     StageCase shown = stage_case_by(dice, *GetParam());
     shown.mode = StageMode::none;
     shown.warning = {};
