@@ -181,7 +181,8 @@ run_ninja() {
 
 # run_tests PRESET [ARGUMENTS of ctest]: programs as a whole; with -R or -E, which are about names, test by test. The last
 # line counts the tests, of which ctest sees none in a program that it runs as a whole. There are three slots for each
-# core, as half of the tests wait; two under a sanitizer, where each takes so long that devices would not be ready in time.
+# core, as tests that compute wait now and then too. Under a sanitizer there are two: with more, devices would not be
+# ready in time.
 run_tests() {
   local tree=$root/build/$1 status=0 log=$root/build/$1/Testing/Temporary/LastTest.log slots=3
   [[ $1 != [at]san ]] || slots=2

@@ -2,12 +2,12 @@
 """Has the compiler read sources as a build would compile them, and makes nothing: it tells of errors and warnings only.
 
     cmake/syntax_check.py build/clang [SOURCE...]
-    cmake/syntax_check.py build/clang-batches --but-of build/asan
+    cmake/syntax_check.py build/clang-batches --but-of build/asan TARGET...
 
 SOURCE is a path from the checkout's root. Those that this build does not compile are left out, and counted. Without any,
-all that the build compiles of our own code are read; --but-of names another build by the same compiler, with the same
-warnings, and leaves out what that has compiled. What the compiler says of a source stands in one piece, below "FAILED: "
-and the source's path. Ends with 1 if it says anything.
+all that the build compiles of our own code are read. --but-of names another build by the same compiler, with the same
+warnings, and targets of it: where these are up to date, what they are made of is left out. What the compiler says of a
+source stands in one piece, below "FAILED: " and the source's path. Ends with 1 if it says anything.
 
 What most sources include from outside is read once for all of them, which takes half the time. So a source that lacks
 one of these includes is not found out; a build of the preset clang does that (.ci/long).
@@ -89,18 +89,23 @@ def object_of(entry):
     return pathlib.Path(words[words.index("-o") + 1])
 
 
-def objects_in(build):
-    return {made for made in map(object_of, entries_of(build)) if (build / made).exists()}
+def objects_of(build, *targets):
+    """Paths in the build; none where ninja would still make some of them, or cannot say."""
+
+    def ninja(*words):
+        return run(["ninja", *words, *targets], build)
+
+    return set(map(pathlib.Path, ninja("-t", "inputs").splitlines())) if "no work to do" in ninja("-n") else set()
 
 
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("sources", nargs="*")
-    parser.add_argument("--but-of", type=pathlib.Path)
+    parser.add_argument("--but-of", nargs="+", default=[])
     arguments = parser.parse_args()
     wanted = {str(ROOT / each) for each in arguments.sources}
-    compiled = objects_in(arguments.but_of) if arguments.but_of else set()
+    compiled = objects_of(*arguments.but_of) if arguments.but_of else set()
     entries = [
         each
         for each in entries_of(arguments.build)

@@ -12,8 +12,7 @@
 # SECONDS   what one process of it takes, where that is more than two: the slowest start first
 # EACH      a process for each test in every case, because the process is what is tested
 # WAITS     for devices and other processes more than it computes: twice as many of these run side by side. So a test
-#           counts as two of ctest's processors, one that waits as one, and run_tests (setup.sh) gives three for each
-#           core: those that compute wait now and then too.
+#           counts as two of the slots that run_tests (setup.sh) gives, one that waits as one.
 # SERIAL    nothing else runs beside it
 #
 # Sources are compiled eight at a time (batches.cmake), and each has a namespace of its own, named after it.

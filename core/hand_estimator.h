@@ -37,7 +37,7 @@ enum class HandUnknown : std::uint8_t {
   no_contact,       // within the window the handle was not at the wall throughout
   at_limit,         // within the window the motor was at its limit
   damaged,          // a sample is missing, or is no number
-  rate_too_low,     // fewer samples than the tones need, or a rate that no loop has
+  rate_too_low,     // fewer samples than the tones need
   too_much_tremor,  // the hand moves too much by itself for the tones to be heard
   out_of_range,     // no hand is like that: the motion does not come from the tones
 };
@@ -75,7 +75,7 @@ class HandEstimator {
   static constexpr double period_s = 0.1;
   // Fewer samples a second cannot be used; more are averaged, down to no fewer than three quarters of this [Hz].
   static constexpr double least_rate = 250.0;
-  // Ticks that follow each other more closely no clock of a computer tells apart [Hz].
+  // Nor can more, which would be ticks that no clock of a computer tells apart [Hz].
   static constexpr double highest_rate = 1e9;
 
   // `rate`: samples per second [Hz]. `window_s`: T, from the usual to the longest.

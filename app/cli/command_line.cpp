@@ -1,5 +1,6 @@
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <memory>
 #include <span>
@@ -74,6 +75,10 @@ std::string words_about_extra(const CLI::App& app, const CLI::App* command, cons
     const std::string near = did_you_mean(name, candidates);
     words = fmt::format("no option {}{}", quoted_text(name), near);
     if (!near.empty()) return words;
+    const bool is_number = std::isdigit(static_cast<unsigned char>(extra[1])) != 0;
+    if (is_number && std::ranges::find(candidates, "--goal-mm") != candidates.end()) {
+      words += "; join the numbers of one option with commas, as in --goal-mm=5,-12";
+    }
   } else if (command == nullptr) {
     words = fmt::format("no command '{}'{}", quoted_text(extra), did_you_mean(extra, names_of(command_catalog())));
   }

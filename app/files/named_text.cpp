@@ -49,6 +49,12 @@ const EmbeddedText* find_text(std::span<const EmbeddedText> shipped, std::string
   return found == shipped.end() ? nullptr : &*found;
 }
 
+std::string words_of_missing_text(std::string_view kind, const std::string& name_or_path) {
+  const std::string shown = quoted_text(name_or_path, longest_path);
+  const bool is_path = name_or_path.find('/') != std::string::npos || name_or_path.ends_with(extension);
+  return is_path ? fmt::format("there is no file '{}'", shown) : fmt::format("no {} named '{}'", kind, shown);
+}
+
 std::string named_text(const std::string& name_or_path, std::string_view kind, std::span<const EmbeddedText> shipped) {
   if (const EmbeddedText* const text = find_text(shipped, name_or_path)) return std::string(text->contents);
   FileContents file = file_contents(name_or_path);
@@ -66,7 +72,7 @@ std::string named_text(const std::string& name_or_path, std::string_view kind, s
       std::sort(names.begin(), names.end());
       const std::optional<std::string> meant = meant_by(name_or_path, names);
       throw ReadError(ReadError::Kind::wrong,
-                      {{.what = fmt::format("no {} named '{}'", kind, shown),
+                      {{.what = words_of_missing_text(kind, name_or_path),
                         .remedy = meant ? fmt::format("did you mean '{}'?", quoted_text(*meant))
                                         : fmt::format("give the path of a file, or one of {}", listed(names)),
                         .suggestion = meant.value_or("")}});

@@ -17,6 +17,9 @@ std::vector<std::string_view> names_of_texts(std::span<const EmbeddedText> shipp
 // Null: none has that name.
 const EmbeddedText* find_text(std::span<const EmbeddedText> shipped, std::string_view name) noexcept;
 
+// Of a name that is neither that of a file nor of a shipped text: "no scene named 'wal45'", "there is no file 'my.toml'".
+std::string words_of_missing_text(std::string_view kind, const std::string& name_or_path);
+
 // A word without '/' that names one of the shipped texts is that one. `kind` is what such a text is called in messages:
 // "scene". Throws ReadError: wrong where there is none, with what may have been meant; unreadable.
 std::string named_text(const std::string& name_or_path, std::string_view kind, std::span<const EmbeddedText> shipped);

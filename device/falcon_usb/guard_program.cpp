@@ -50,9 +50,7 @@ void take_priority() noexcept {
 
 // Where less may be locked than that, it runs from memory that the system may take away.
 void lock_memory() noexcept {
-#ifndef __SANITIZE_ADDRESS__
   if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return;
-#endif
   mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT);
 }
 

@@ -88,8 +88,9 @@ def run_tests(copy, number, first=(), limit=None):
     words = ["ctest", "--test-dir", copy / "build/release", "--parallel", str(slots(copy)),
              "--stop-on-failure", "--no-tests=error"]
     began = time.monotonic()
-    with subprocess.Popen(words, env={**os.environ, "GHOSTFORCE_FAULT": number}, stdin=subprocess.DEVNULL,
-                          stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True) as ctest:
+    environment = {**os.environ, "GHOSTFORCE_FAULT": number, "GTEST_FAIL_FAST": "1"}
+    with subprocess.Popen(words, env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.DEVNULL, start_new_session=True) as ctest:
         try:
             status = ctest.wait(limit)
         except subprocess.TimeoutExpired:

@@ -48,7 +48,6 @@ int poll(pollfd* descriptors, nfds_t count, int longest_ms) {
 ssize_t read(int descriptor, void* into, size_t size) {
   pollfd wait{descriptor, POLLIN, 0};
   if (ghostforce::is_on) ghostforce::poll_at_once(&wait, 1, -1);
-  // That of the C library, or of a sanitizer, which looks whether `into` is large enough.
   static const auto read_on = reinterpret_cast<ssize_t (*)(int, void*, size_t)>(dlsym(RTLD_NEXT, "read"));
   return read_on(descriptor, into, size);
 }

@@ -1,5 +1,6 @@
-// With GHOSTFORCE_LONG in the environment (.ci/long) some tests run in full: ten million ticks instead of one million, and
-// under a sanitizer all stored pictures instead of ten, and as many trials as without one.
+// With GHOSTFORCE_LONG in the environment (.ci/long) some tests run in full: ten million ticks instead of one million, a
+// thousand random set-ups instead of a quarter of that, and under a sanitizer all stored pictures instead of ten, and as
+// many trials as without one.
 #pragma once
 
 #include <cstdlib>

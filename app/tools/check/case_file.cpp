@@ -13,6 +13,7 @@
 #include "app/base/quoted.h"
 #include "app/base/typed_text.h"
 #include "app/files/input_file.h"
+#include "app/files/named_text.h"
 #include "app/files/scene_file.h"
 #include "app/files/toml_document.h"
 #include "app/state/lesson_file.h"
@@ -79,7 +80,7 @@ Scene load_scene_of(const TomlValue& named, const std::optional<TomlValue>& set,
   const std::string path = path_of(*name, shipped_scene_names(), folder);
   std::error_code unknown;
   if (!path.empty() && std::filesystem::status(path, unknown).type() == std::filesystem::file_type::not_found) {
-    named.refuse(fmt::format("no scene named '{}'", quoted_text(*name, longest_path)), scene_hint(*name, folder));
+    named.refuse(words_of_missing_text("scene", *name), scene_hint(*name, folder));
     return {};
   }
   try {

@@ -84,7 +84,7 @@ TEST_F(CheckLessons, TellsAllThatIsWrongWithAFileAndGoesOn) {
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_TRUE(holds(outcome.err, broken + ":9:1: the key step.qestion is unknown; did you mean 'question'?"))
       << outcome.err;
-  EXPECT_TRUE(holds(outcome.err, "no lesson named '" + (folder_ / "none.toml") + "'")) << outcome.err;
+  EXPECT_TRUE(holds(outcome.err, "there is no file '" + (folder_ / "none.toml") + "'")) << outcome.err;
   EXPECT_TRUE(holds(outcome.out, broken + ": cannot be read as a lesson\n")) << outcome.out;
   EXPECT_TRUE(outcome.out.ends_with("3 lessons, 2 wrong\n")) << outcome.out;
 }

@@ -113,9 +113,11 @@ TEST(CommandLine, WrongCallsAreNamedAndExit2) {
   expect_refused({"simulate", "wall45", "--set"}, "--set");
   expect_refused({"simulate", "wall45", "--set", "k_r=1"}, "--set k_r=1: the key k_r is unknown");
   expect_refused({"simulate", "wal45"}, "no scene named 'wal45'; did you mean 'wall45'?");
-  expect_refused({"simulate", "none/x.toml"}, "no scene named 'none/x.toml'");
+  expect_refused({"simulate", "none/x.toml"}, "there is no file 'none/x.toml'");
   expect_refused({"simulate", "equilibrium"}, "no scene named 'equilibrium'");
   expect_refused({"equilibrium", "wall45", "--josn"}, "did you mean '--json'?");
+  expect_refused({"equilibrium", "wall45", "--goal-mm", "5", "-12"},
+                 "no option -12; join the numbers of one option with commas, as in --goal-mm=5,-12");
 }
 
 TEST(CommandLine, ProblemsOfASceneFileAreToldByLine) {

@@ -166,8 +166,8 @@ TEST(SceneFile, WritesWhatIsRareOnlyWhereItIs) {
 
 TEST(SceneFile, WritesNumbersAsShortAsTheyWere) {
   // Every mm and degree with one decimal comes out as it went in.
-  const int most = trials(10'000);
-  for (int tenth = -most; tenth <= most; ++tenth) {
+  const int step = 10'000 / trials(10'000);
+  for (int tenth = -10'000; tenth <= 10'000; tenth += step) {
     Scene scene = load_scene("fig1");
     const double value = tenth / 10.0;
     scene.settings.wall_point.x = value / 1000.0;
@@ -262,7 +262,9 @@ TEST(SceneFile, NamesTheNearestOfWhatIsNotThere) {
   expect("", ExitCode::wrong_call, "no scene named ''");
   expect(folder / "stepe.toml", ExitCode::wrong_call, "did you mean '" + (folder / "steep.toml") + "'?");
   expect(folder / "steep", ExitCode::wrong_call, "did you mean '" + (folder / "steep.toml") + "'?");
-  expect((folder / "notes.txt") + "/x.toml", ExitCode::wrong_call, "no scene named");
+  expect((folder / "notes.txt") + "/x.toml", ExitCode::wrong_call, "there is no file '");
+  expect("nosuch.toml", ExitCode::wrong_call,
+         "there is no file 'nosuch.toml'; give the path of a file, or one of arm,");
   expect(std::string(100'000, 'x'), ExitCode::wrong_call, "no scene named");
 }
 

@@ -327,12 +327,13 @@ TEST(Check, NamesASceneAsThePersonWroteIt) {
   write_whole(cases / "scenes/mine.toml", "");
   const Outcome outcome = cases.check();
   EXPECT_EQ(outcome.exit_code, 2);
-  for (const char* words : {"a.toml:1:9: the key scene: no scene named 'wall46'; did you mean 'wall45'?\n",
-                            "b.toml:1:9: the key scene: no scene named 'scenes/mien.toml'; did you mean "
-                            "'scenes/mine.toml'?\n",
-                            "c.toml:1:9: the key scene: no scene named 'scenes/wall46.toml'; did you mean 'wall45'?\n",
-                            "d.toml:1:9: the key scene: no scene named 'something else'; give a path relative to this "
-                            "file, or one of arm, changing-hand, "}) {
+  for (const char* words :
+       {"a.toml:1:9: the key scene: no scene named 'wall46'; did you mean 'wall45'?\n",
+        "b.toml:1:9: the key scene: there is no file 'scenes/mien.toml'; did you mean "
+        "'scenes/mine.toml'?\n",
+        "c.toml:1:9: the key scene: there is no file 'scenes/wall46.toml'; did you mean 'wall45'?\n",
+        "d.toml:1:9: the key scene: no scene named 'something else'; give a path relative to this "
+        "file, or one of arm, changing-hand, "}) {
     EXPECT_TRUE(contains(outcome.err, words));
   }
 }
