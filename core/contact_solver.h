@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -375,6 +376,21 @@ bool find_tracked_state(const ActuationMatrix<D>& actuation, const Compliances<D
   return true;
 }
 
+// The efforts for the force that was meant for all motors: `share` of the way from what naïve rendering commands to the
+// nearest. False: motors are not in this state then.
+template <glm::length_t D>
+bool find_shared_efforts(const ActuationMatrix<D>& actuation, const Compliances<D>& compliances, double share,
+                         const TrackedState<D>& tracked, const Vector<D>& meant, Efforts& efforts) noexcept {
+  if (!find_efforts(actuation, compliances.user, tracked.state, tracked.nearest, meant, efforts)) return false;
+  if (actuation.count > 1) make_least(actuation, efforts);
+  if (share == 1.0) return true;
+  for (std::size_t i = 0; i < actuation.count; ++i) {
+    const double commanded = within_limits(actuation, i, glm::dot(actuation.commands[i], meant));
+    efforts[i] = within_limits(actuation, i, commanded + share * (efforts[i] - commanded));
+  }
+  return true;
+}
+
 // Whether that is the state of the motors with the handle at q, whose `gaps` are measured; `contact` is what follows.
 template <glm::length_t D>
 bool solve_in_state(const Vector<D>& q, const Planes<D>& planes, const PlaneNumbers& gaps,
@@ -391,14 +407,7 @@ bool solve_in_state(const Vector<D>& q, const Planes<D>& planes, const PlaneNumb
       continue;
     }
     const Vector<D> meant = compliances.force_share * contact.contact_force;
-    if (!find_efforts(actuation, compliances.user, tracked.state, tracked.nearest, meant, contact.efforts)) continue;
-    if (actuation.count > 1) make_least(actuation, contact.efforts);
-    if (share != 1.0) {
-      for (std::size_t i = 0; i < actuation.count; ++i) {
-        const double commanded = within_limits(actuation, i, glm::dot(actuation.commands[i], meant));
-        contact.efforts[i] = within_limits(actuation, i, commanded + share * (contact.efforts[i] - commanded));
-      }
-    }
+    if (!find_shared_efforts(actuation, compliances, share, tracked, meant, contact.efforts)) continue;
     contact.active = static_cast<std::uint8_t>(set);
     contact.proxy = q + tracked.tracking * contact.contact_force + tracked.shift;
     contact.force = force_of_efforts(actuation, contact.efforts);
@@ -439,16 +448,89 @@ Contact<D> solve_contact(const Vector<D>& q, const Planes<D>& planes, const Actu
   return contact;
 }
 
-// The same where the motors have no limits and the one state that they can be in is known.
+// --- Where nothing depends on the place ------------------------------------------------------------------------------
+
+// What a strategy renders where planes and motors stay as they are and no motor has a limit: while a set of planes acts,
+// all is linear in their gaps.
 template <glm::length_t D>
-Contact<D> solve_contact_in(const TrackedState<D>& tracked, const Vector<D>& q, const Planes<D>& planes,
-                            const ActuationMatrix<D>& actuation, const Compliances<D>& compliances,
-                            double share) noexcept {
+struct FixedContact {
+  struct PerGap {               // of one plane [1/m]
+    PlaneNumbers conditions{};  // λ of each plane that acts, and how far each other one is from the proxy
+    Vector<D> proxy{0.0};       // q_p − q_h
+    Vector<D> force{0.0};       // f_r
+    Efforts efforts{};          // u
+  };
+  // Entry by entry plane_sets. A set that cannot act has no numbers: they meet no condition.
+  std::array<std::array<PerGap, most_planes>, plane_sets.size()> sets;
+  Planes<D> planes;
+  std::size_t motor_count = 0;
+};
+
+template <glm::length_t D>
+FixedContact<D> fixed_contact(const Planes<D>& planes, const ActuationMatrix<D>& actuation,
+                              const Compliances<D>& compliances, bool has_every_motor, double share) noexcept {
+  FixedContact<D> fixed;
+  fixed.planes = planes;
+  fixed.motor_count = actuation.count;
+  if (has_every_motor) share = 0.0;
+  TrackedState<D> tracked;
+  find_tracked_state(actuation, compliances, share, free_motors(actuation.count).front(), tracked);
+  for (std::size_t s = 0; s < plane_sets.size(); ++s) {
+    for (std::size_t k = 0; k < planes.count; ++k) {
+      typename FixedContact<D>::PerGap& per_gap = fixed.sets[s][k];
+      PlaneNumbers gaps{};
+      gaps[k] = 1.0;
+      PlaneNumbers multipliers;
+      Vector<D> push;
+      if (plane_sets[s] >= (1U << planes.count) ||
+          !find_multipliers(planes, gaps, tracked.tracking, compliances.constraint, plane_sets[s], multipliers, push,
+                            false)) {
+        per_gap.conditions.fill(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
+      const Vector<D> meant = compliances.force_share * push;
+      find_shared_efforts(actuation, compliances, share, tracked, meant, per_gap.efforts);
+      per_gap.force = has_every_motor ? meant : force_of_efforts(actuation, per_gap.efforts);
+      per_gap.proxy = tracked.tracking * push;
+      for (std::size_t i = 0; i < planes.count; ++i) {
+        const bool acts = (plane_sets[s] >> i & 1U) != 0;
+        per_gap.conditions[i] = acts ? multipliers[i] : gaps[i] + glm::dot(planes.walls[i].normal, per_gap.proxy);
+      }
+    }
+  }
+  return fixed;
+}
+
+// With the handle at q.
+template <glm::length_t D>
+Contact<D> solve_fixed_contact(const FixedContact<D>& fixed, const Vector<D>& q) noexcept {
   Contact<D> contact{q};
   PlaneNumbers gaps;
-  if (!measure_gaps(planes, q, gaps)) return contact;
+  const std::size_t count = fixed.planes.count;
+  if (!measure_gaps(fixed.planes, q, gaps)) return contact;
   contact.status = ContactStatus::contact;
-  if (!solve_in_state(q, planes, gaps, actuation, compliances, share, tracked, contact)) refuse(q, contact);
+  for (std::size_t s = 0; s < plane_sets.size(); ++s) {
+    const auto& per_gap = fixed.sets[s];
+    bool is_met = true;
+    contact.contact_force = Vector<D>(0.0);
+    for (std::size_t i = 0; i < count; ++i) {
+      double condition = 0.0;
+      for (std::size_t k = 0; k < count; ++k) condition += gaps[k] * per_gap[k].conditions[i];
+      const bool acts = (plane_sets[s] >> i & 1U) != 0;
+      is_met &= condition >= (acts ? 0.0 : -negligible_distance);
+      contact.multipliers[i] = acts ? condition : 0.0;
+      contact.contact_force += contact.multipliers[i] * fixed.planes.walls[i].normal;
+    }
+    if (!is_met) continue;
+    contact.active = static_cast<std::uint8_t>(plane_sets[s]);
+    for (std::size_t k = 0; k < count; ++k) {
+      contact.proxy += gaps[k] * per_gap[k].proxy;
+      contact.force += gaps[k] * per_gap[k].force;
+      for (std::size_t i = 0; i < fixed.motor_count; ++i) contact.efforts[i] += gaps[k] * per_gap[k].efforts[i];
+    }
+    return contact;
+  }
+  refuse(q, contact);
   return contact;
 }
 

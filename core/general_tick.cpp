@@ -91,13 +91,14 @@ GeneralCoefficients general_coefficients_of(const Settings& settings) noexcept {
   use_hand(along_and_across(settings.general.k_u_first_angle, k_u, settings.general.k_u_second.value_or(k_u)),
            coefficients);
   const GeneralScene& scene = coefficients.scene;
-  if (!is_curved(scene.constraint)) coefficients.planes = linearised(scene.constraint, Vector<2>(0.0));
-  if (turns(scene.mechanism)) return coefficients;
-  coefficients.actuation = actuation_at(scene.mechanism, Vector<2>(0.0));
-  const std::size_t motors = coefficients.actuation->count;
+  if (turns(scene.mechanism) || is_curved(scene.constraint)) return coefficients;
+  const Planes<2> planes = linearised(scene.constraint, Vector<2>(0.0));
+  const std::optional<ActuationMatrix<2>> actuation = actuation_at(scene.mechanism, Vector<2>(0.0));
+  coefficients.fixed.emplace();
   for (std::size_t i = 0; i < strategy_count; ++i) {
-    find_tracked_state(*coefficients.actuation, scene.compliances, scene.strategies[i].share,
-                       free_motors(motors).front(), coefficients.tracked[i]);
+    const GeneralStrategy& strategy = scene.strategies[i];
+    (*coefficients.fixed)[i] =
+        fixed_contact(planes, *actuation, scene.compliances, strategy.has_every_motor, strategy.share);
   }
   return coefficients;
 }
@@ -108,18 +109,14 @@ void set_user_stiffness(GeneralCoefficients& coefficients, double k_u) noexcept 
 
 namespace {
 
-// With the planes near the proxy.
 Contact<2> solve(const GeneralCoefficients& coefficients, std::size_t strategy, const Vector<2>& q,
-                 const Planes<2>& planes) noexcept {
+                 const Vector<2>& last_proxy) noexcept {
+  if (coefficients.fixed) return solve_fixed_contact((*coefficients.fixed)[strategy], q);
   const GeneralScene& scene = coefficients.scene;
   const GeneralStrategy& own = scene.strategies[strategy];
-  if (const auto& fixed = coefficients.actuation) {
-    if (own.has_every_motor) return solve_full_contact(q, planes, *fixed, scene.compliances);
-    if (own.share == 0.0) return solve_naive_contact(q, planes, *fixed, scene.compliances);
-    return solve_contact_in(coefficients.tracked[strategy], q, planes, *fixed, scene.compliances, own.share);
-  }
   ActuationMatrix<2> actuation;
   if (!find_actuation(scene.mechanism, q, actuation)) return {.proxy = q, .status = ContactStatus::outside_workspace};
+  const Planes<2> planes = linearised(scene.constraint, last_proxy);
   if (own.has_every_motor) return solve_full_contact(q, planes, actuation, scene.compliances);
   return solve_contact(q, planes, actuation, scene.compliances, own.share);
 }
@@ -144,9 +141,7 @@ Contact<2> solve(const GeneralCoefficients& coefficients, std::size_t strategy, 
     own.energy += work(held, position - before);
     own.motion = {position, velocity};
     const Vector<2> seen = measured_position(coefficients.encoder_step, before);
-    const Contact<2> contact = coefficients.planes
-                                   ? solve(coefficients, i, seen, *coefficients.planes)
-                                   : solve(coefficients, i, seen, linearised(coefficients.scene.constraint, own.proxy));
+    const Contact<2> contact = solve(coefficients, i, seen, own.proxy);
     own.in_contact = contact.status == ContactStatus::contact;
     // Axis by axis, as tick.h says.
     for (glm::length_t axis = 0; axis < 2; ++axis) {

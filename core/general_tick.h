@@ -49,11 +49,8 @@ struct GeneralCoefficients {
   Matrix<2> velocity_per_force;  // dt (M + dt B + dt² K_u)⁻¹ [m/s/N]
   double encoder_step;           // see sampled_device.h [m]
 
-  // What depends on no place: the planes where no wall is round, and where the mechanism does not turn its motors and
-  // the state that each strategy has them in.
-  std::optional<Planes<2>> planes;
-  std::optional<ActuationMatrix<2>> actuation;
-  PerStrategy<TrackedState<2>> tracked;
+  // Empty: the mechanism turns, or a wall is round.
+  std::optional<PerStrategy<FixedContact<2>>> fixed;
 };
 GeneralCoefficients general_coefficients_of(const Settings& settings) noexcept;
 

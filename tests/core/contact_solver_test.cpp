@@ -1,6 +1,7 @@
 #include "core/contact_solver.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -301,6 +302,45 @@ TEST(ContactSolver, DependentMotorsShareTheForce) {
   const Efforts efforts = nearest_efforts(twice, Matrix<2>(0.005), Vector<2>(3.0, 1.0));
   EXPECT_NEAR(efforts[0], 1.5, 1e-15);
   EXPECT_NEAR(efforts[1], 1.5, 1e-15);
+}
+
+// As a tick of a scene with straight motors and walls asks for it.
+template <glm::length_t D>
+void compare_fixed(std::uint64_t seed, std::array<int, 4>& cases) {
+  Random random(seed);
+  const RandomDevice<D> made = random_device<D>(random, Motors::any);
+  for (const double share : {0.0, 0.5, 1.0, 1.5}) {
+    for (const bool has_every_motor : {false, true}) {
+      const FixedContact<D> fixed =
+          fixed_contact(made.planes, made.actuation, made.compliances, has_every_motor, share);
+      const Vector<D> q = random.in_box<D>(0.02);
+      const Contact<D> anew = has_every_motor ? solve_full_contact(q, made.planes, made.actuation, made.compliances)
+                                              : solve_contact(q, made.planes, made.actuation, made.compliances, share);
+      const Contact<D> found = solve_fixed_contact(fixed, q);
+      ASSERT_EQ(found.status, anew.status) << seed;
+      ASSERT_EQ(found.active, anew.active) << seed;
+      ++cases[found.active];
+      const double size = 1e-11 * (1.0 + glm::length(anew.contact_force));
+      EXPECT_LT(glm::length(found.contact_force - anew.contact_force), size) << seed;
+      EXPECT_LT(glm::length(found.force - anew.force), size) << seed;
+      EXPECT_LT(glm::length(found.proxy - anew.proxy), 1e-3 * size) << seed;
+      for (std::size_t i = 0; i < made.planes.count; ++i) {
+        EXPECT_NEAR(found.multipliers[i], anew.multipliers[i], size) << seed;
+      }
+      for (std::size_t i = 0; i < made.actuation.count; ++i) {
+        EXPECT_NEAR(found.efforts[i], anew.efforts[i], size) << seed;
+      }
+    }
+  }
+}
+
+TEST(ContactSolver, WhatIsWorkedOutBeforehandIsWhatIsSolvedAnew) {
+  std::array<int, 4> cases{};
+  for (std::uint64_t seed = 0; seed < 1000; ++seed) {
+    compare_fixed<2>(seed, cases);
+    compare_fixed<3>(seed, cases);
+  }
+  for (const int of_each : cases) EXPECT_GT(of_each, 500);  // free, either wall, both
 }
 
 // κ_w of the law is at most that of full actuation: what is stable with all motors stays so.
