@@ -256,9 +256,9 @@ void Application::update(double interval_s) {
   follow_lesson_in_session(interval_s);
   follow_kiosk_visit_in_session(interval_s);
   if (shader_watch_ && shader_watch_->poll(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
-  if (session_.notice && !session_.notice->is_problem) {
+  if (session_.notice) {
     session_.notice->age_s += interval_s;
-    if (session_.notice->age_s > news_last_s) {
+    if (!session_.notice->is_problem && session_.notice->age_s > news_last_s) {
       session_.notice.reset();
       screen_.keep_place_of_notice();
     }
@@ -442,12 +442,12 @@ void Application::heartbeat() {
   servo_->send(command_);
 }
 
-void Application::show_notice(std::string words, bool is_problem) {
+void Application::show_notice(std::string words, bool is_problem, std::string language) {
   if (session_.kiosk_visit) return say("{}\n", words);
   // What has failed just now stays to be read.
   if (has_failed_ && session_.notice) words = fmt::format("{}\n{}", session_.notice->words, words);
   has_failed_ = has_failed_ || is_problem;
-  session_.notice = Notice{std::move(words), has_failed_, 0.0};
+  session_.notice = Notice{std::move(words), has_failed_, 0.0, std::move(language)};
 }
 
 // Whoever has turned the motors off by themselves has nothing to read, and may arm them again. Not at once, though: a

@@ -118,7 +118,7 @@ class Application {
   void restart_drawing();
 
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
-  void show_notice(std::string words, bool is_problem);
+  void show_notice(std::string words, bool is_problem, std::string language = "en");
 
   // The person sees a replay, which is as far as that. When it is over, they have the window to themselves.
   void show_replay_place(const ReplayPlace& place) noexcept {

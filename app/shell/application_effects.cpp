@@ -48,7 +48,8 @@ struct Application::EffectDoer {
   void operator()(const CopyPicture& wanted) const { application.copy_picture(wanted); }
   void operator()(const CopyValues&) const {
     application.window_.set_clipboard_text(live_table(application.shown().snapshot));
-    application.show_notice("Copied the live values. They can be pasted into a spreadsheet.", false);
+    application.show_notice(std::string(application.notice_words().copied_values), false,
+                            application.session_.language);
   }
   void operator()(const CopySetUp&) const { application.copy_set_up(); }
   void operator()(const PasteSetUp& wanted) const { application.paste_set_up(wanted); }
@@ -118,7 +119,7 @@ void Application::save(const std::string& path, const std::function<std::string(
   file.write(make_bytes());
   file.commit();
   hand_out(path);
-  show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false);
+  show_notice(filled(notice_words().saved, quoted_text(path, longest_path)), false, session_.language);
 }
 
 void Application::toggle_audience() {
@@ -169,7 +170,7 @@ void Application::take_back(bool undo) {
   const UndoState& after = undo ? earlier : *wanted;
   show_notice(filled(undo ? language.changes.undone : language.changes.redone,
                      is_on_stage ? words_of_change(before, after, language) : words_of_change(before, after)),
-              false);
+              false, is_on_stage ? session_.language : "en");
 }
 
 }  // namespace ghostforce

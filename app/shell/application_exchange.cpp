@@ -241,7 +241,7 @@ void Application::show_set_up(const std::string& line) {
 
 void Application::copy_set_up() {
   window_.set_clipboard_text(set_up_line(set_up_of(session_, shown())));
-  show_notice(std::string(notice_words().copied_set_up), false);
+  show_notice(std::string(notice_words().copied_set_up), false, session_.language);
 }
 
 void Application::paste_set_up(const PasteSetUp& wanted) {
@@ -255,9 +255,10 @@ void Application::paste_set_up(const PasteSetUp& wanted) {
 
 // Another scene may have ended a recording, and the person must read that too.
 void Application::add_to_notice(const std::string& words) {
-  if (has_failed_) return show_notice(words, false);
+  if (has_failed_) return show_notice(words, false, session_.language);
   const bool is_problem = session_.notice && session_.notice->is_problem;
-  show_notice(session_.notice ? fmt::format("{}\n{}", session_.notice->words, words) : words, is_problem);
+  show_notice(session_.notice ? fmt::format("{}\n{}", session_.notice->words, words) : words, is_problem,
+              session_.language);
 }
 
 }  // namespace ghostforce

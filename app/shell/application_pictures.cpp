@@ -23,7 +23,8 @@ void Application::copy_picture(const CopyPicture& request) {
                                                     request.scene_alone ? Part::scene : Part::window, request.density),
                                     picture_texts(set_up_of(session_, shown())));
   const std::string problem = clipboard_tool_.copy_png(png, display);
-  show_notice(problem.empty() ? std::string(notice_words().copied_picture) : problem, !problem.empty());
+  if (!problem.empty()) return show_notice(problem, true);
+  show_notice(std::string(notice_words().copied_picture), false, session_.language);
 }
 
 void Application::save_clip(const SaveClip& request) {

@@ -24,9 +24,9 @@ constexpr double stair = 3.0;
 // Smaller ghost forces would be magnified to what nobody can feel [N].
 constexpr double smallest_top = 0.5;
 
-// A letter's em, a thirtieth of the picture's height: to be read from the last row.
+// A letter's em, a thirtieth of the picture's height: to be read from the last row. Less where the picture is upright.
 double em_of(const Ribbon& ribbon) noexcept {
-  return ribbon.camera.size.y / 30.0;
+  return std::min(ribbon.camera.size.y / 30.0, ribbon.camera.size.x / 24.0);
 }
 
 // A line of letters is a sixth higher than their em. As it is drawn.

@@ -44,7 +44,9 @@ std::string open_answers(const StageLesson& lesson) {
 // Where a view can be moved, by who can press a button. A visitor cannot move it.
 bool has_tools(const StageContent& content) {
   const bool is_map = content.mode == StageMode::landscape && !maps_workspace(content);
-  const bool has_view = !is_map && content.mode != StageMode::round;
+  // Upright, the ribbon needs their room.
+  const bool is_ribbon = content.mode == StageMode::ribbon && content.size.x < content.size.y && !content.lesson;
+  const bool has_view = !is_map && !is_ribbon && content.mode != StageMode::round;
   const bool is_visitor = content.lesson && !content.lesson->has_way_out;
   return content.has_controls && !is_visitor && has_view;
 }
@@ -64,6 +66,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .lesson = content.lesson ? &*content.lesson : nullptr,
                        .shows_menu = content.shows_menu,
                        .has_tools = has_tools(content),
+                       .has_numbers = content.mode != StageMode::why,
                        .widths = content.widths});
 }
 

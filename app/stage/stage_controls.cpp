@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <utility>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include "app/state/palette_catalog.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
+#include "app/state/stage_language.h"
 #include "core/scene_shape.h"
 
 namespace ghostforce {
@@ -41,14 +43,29 @@ void add_notice(const ControlSource& source, ControlParts& parts) {
   const std::optional<Notice>& notice = source.session.notice;
   if (!notice) return;
   parts.push_back(text_control("notice", notice->is_problem ? Kind::alert : Kind::status, notice->words));
+  parts.back().language = notice->language;
   const std::string close(source.language.notices.close);
   parts.push_back(button_control(source, "notice-close", close, CloseNotice{}));
+}
+
+// As the action is called that opens it.
+std::string name_of_dialog(const ControlSource& source) {
+  const Dialog dialog = source.session.dialog;
+  const auto opens_it = [dialog](const PaletteEntry& entry) {
+    const auto* const opens = std::get_if<OpenDialog>(&entry.action);
+    const auto* const toggles = std::get_if<ToggleDialog>(&entry.action);
+    return (opens != nullptr && opens->dialog == dialog) || (toggles != nullptr && toggles->dialog == dialog);
+  };
+  const std::vector<PaletteEntry> entries = palette_catalog(source.session, source.loop);
+  const auto entry = std::ranges::find_if(entries, opens_it);
+  return entry != entries.end() ? entry->words : std::string(source.language.palette.title);
 }
 
 // What is drawn in the picture alone, and the way out of it.
 void add_dialog(const ControlSource& source, ControlParts& parts) {
   if (source.session.dialog == Dialog::none) return;
-  parts.push_back(text_control("dialog", Kind::status, std::string(source.language.controls.dialog)));
+  parts.push_back(
+      text_control("dialog", Kind::status, filled(source.language.controls.dialog, name_of_dialog(source))));
   parts.push_back(button_control(source, "dialog-close", std::string(source.language.picker.close), CloseDialog{}));
 }
 
@@ -80,7 +97,7 @@ StageControl values_group(const ControlSource& source) {
       text_control("value-slide", Kind::told,
                    value_words(source, hides_slide, reading.numbers.slide, names.slide, names.slide_unknown,
                                slide_number, "mm")),
-      text_control("value-share", Kind::text,
+      text_control("value-share", Kind::told,
                    value_words(source, hides_force, reading.numbers.wall_share, share, share, force_number, "N"))};
   return group_control("values", Kind::group, all.values, std::move(parts));
 }
@@ -221,11 +238,11 @@ void add_mode(const ControlSource& source, ControlParts& parts) {
   }
   if (!source.session.lesson) add_guess_controls(source, parts);
   if (reading.measuring) {
-    parts.push_back(button_control(source, "measure", reading.measuring->words, PressMeasuringButton{}));
+    parts.push_back(button_control(source, "measure", without_key(reading.measuring->words), PressMeasuringButton{}));
   }
   if (!reading.corner) return;
   if (const auto action = action_of_button(reading.corner->action, source.loop.motors)) {
-    parts.push_back(button_control(source, "next", reading.corner->words, *action));
+    parts.push_back(button_control(source, "next", without_key(reading.corner->words), *action));
   }
 }
 
@@ -300,7 +317,9 @@ StageControl action_list(const ControlSource& source) {
 std::vector<StageControl> stage_controls(const Session& session, const LoopReading& loop, const StageReading& reading) {
   const ControlSource source{session, loop, reading, stage_language(session.language)};
   std::vector<StageControl> all;
-  all.push_back(text_control("sentence", Kind::told, reading.sentence));
+  const bool is_on_stage = session.face == Face::stage;
+  all.push_back(text_control("sentence", Kind::told,
+                             is_on_stage ? reading.sentence : std::string(source.language.controls.on_workbench)));
   add_notice(source, all);
   add_dialog(source, all);
   add_motors(source, all);

@@ -160,6 +160,11 @@ class Arrangement {
  private:
   double points(double of_design) const { return of_design * layout_.unit; }
 
+  // A finger has no keys.
+  std::string corner_words() const {
+    return layout_.least_target > 0.0 ? without_key(words_.corner) : std::string(words_.corner);
+  }
+
   double mark_width(bool has_mark) const { return has_mark && words_.lesson != nullptr ? points(mark_room) : 0.0; }
 
   double target(double of_design) const { return std::max(points(of_design), layout_.least_target); }
@@ -249,11 +254,13 @@ class Arrangement {
     }
   }
 
-  // Below the numbers; where there is no room left, beside them.
+  // Below the numbers; where there is no room left, beside them. Upright, the scene needs the place of those that are
+  // not shown.
   void arrange_tools() {
+    const bool are_below = layout_.numbers && (words_.has_numbers || !layout_.is_upright);
     double left = layout_.margin;
-    double top = (layout_.numbers ? layout_.numbers->most.y : layout_.words_end) + points(below_numbers);
-    if (layout_.numbers && top + target(header_height) > layout_.bottom) {
+    double top = (are_below ? layout_.numbers->most.y : layout_.words_end) + points(below_numbers);
+    if (are_below && top + target(header_height) > layout_.bottom) {
       left = layout_.numbers->most.x + points(gap);
       top = layout_.words_end + points(below_numbers);
     }
@@ -268,7 +275,7 @@ class Arrangement {
     add(layout_.lesson ? StageCommand::reset : StageCommand::reset_all, words_.language.header.reset);
     // Elsewhere it stands at the end of the row below.
     if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
-      add(StageCommand::link, filled(words_.language.buttons.link, words_.keys.link));
+      add(StageCommand::link, words_.language.header.link);
     }
   }
 
@@ -295,7 +302,8 @@ class Arrangement {
     layout_.corner.reset();
     layout_.link.reset();
     if (!words_.corner.empty()) {
-      layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
+      const std::string words = corner_words();
+      layout_.corner = button_ending_at({right, bottom}, words, words, words_.corner_action);
       arrange_measuring();
       return x <= layout_.corner->box.least.x;
     }
@@ -329,7 +337,8 @@ class Arrangement {
     layout_.corner.reset();
     layout_.link.reset();
     if (!words_.corner.empty()) {
-      layout_.corner = button_ending_at({right, bottom}, words_.corner, words_.corner, words_.corner_action);
+      const std::string words = corner_words();
+      layout_.corner = button_ending_at({right, bottom}, words, words, words_.corner_action);
       arrange_measuring();
     }
     return all_fit;

@@ -158,6 +158,7 @@ struct StageFrameWords {
   const StageLesson* lesson = nullptr;              // null: there is none
   bool shows_menu = false;
   bool has_tools = false;            // the view can be made to fit, and the motion begun anew
+  bool has_numbers = true;           // are shown; their place is there all the same
   SentenceWidths* widths = nullptr;  // of the picture before; null: all is measured anew
 };
 

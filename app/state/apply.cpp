@@ -184,7 +184,13 @@ void act(Session& session, const MeasureHand&) {
   session.lesson ? press_stiffness_probe(session) : act(session, ToggleMode{StageMode::measure});
 }
 
+// A word about what was before is none about what comes.
+void dismiss_news(Session& session) {
+  if (session.notice && !session.notice->is_problem) session.notice.reset();
+}
+
 void act(Session& session, const GoOn&) {
+  dismiss_news(session);
   if (session.lesson) return confirm_in_lesson(session);
   StageChoice& stage = session.stage;
   const bool is_in_wall = depth_in_wall(session.settings, session.goal) > 0.0;
@@ -216,6 +222,7 @@ void act(Session& session, const ToggleBlank&) {
 // --- The talk ---
 
 void act(Session& session, const NextStep&) {
+  dismiss_news(session);
   if (session.lesson) return next_lesson_step(session);
   // Who has come to Why? by its key goes on there.
   const bool is_in_why = session.stage.mode == StageMode::why && session.stage.why_step < last_why_step;
@@ -224,6 +231,7 @@ void act(Session& session, const NextStep&) {
 }
 
 void act(Session& session, const PreviousStep&) {
+  dismiss_news(session);
   if (session.lesson) return previous_lesson_step(session);
   go_to_talk_step(session, session.stage.demo_step.value_or(0) - 1);
 }

@@ -211,7 +211,8 @@ void add_looks(Entries& entries) {
 void add_experiments(Entries& entries) {
   entries.group = ActionGroup::devices;
   for (const InputChoice& input : entries.now.loop.inputs) {
-    entries.add(&Name::choose_input, input.title, ChooseInput{std::string(input.name)});
+    const std::string_view title = counterpart(english_stage.inputs, entries.now.language.inputs, input.title);
+    entries.add(&Name::choose_input, title, ChooseInput{std::string(input.name)});
   }
   entries.group = ActionGroup::hand;
   entries.add(&Name::largest_drift, TurnWallToLargestDrift{});

@@ -16,7 +16,7 @@ using Why = StageLanguage::Refusals;
 constexpr Refusal has_no_meaning{&Why::has_no_meaning};
 constexpr Refusal left_to_lesson{&Why::left_to_lesson};
 constexpr Refusal plots_left_to_lesson{&Why::left_to_lesson, true};
-constexpr Refusal needs_wider_window{&Why::needs_wider_window, true};
+constexpr Refusal needs_larger_window{&Why::needs_larger_window, true};
 constexpr Refusal not_in_this_step{&Why::not_in_this_step};
 constexpr Refusal not_measured{&Why::not_measured};
 constexpr Refusal only_on_workbench{&Why::only_on_workbench};
@@ -198,7 +198,7 @@ Permission permit_kind(const Session& session, const StartMeasuring&) {
 
 // To be gone to; who is there may leave it.
 Permission permit_workbench(const Session& session) {
-  return refuse_unless(session.has_room_for_workbench || session.face == Face::workbench, needs_wider_window);
+  return refuse_unless(session.has_room_for_workbench || session.face == Face::workbench, needs_larger_window);
 }
 
 Permission permit_kind(const Session& session, const ShowFace& action) {

@@ -234,6 +234,7 @@ struct Notice {
   std::string words;
   bool is_problem = false;  // stays until it is dismissed
   double age_s = 0.0;
+  std::string language{};  // code of that of its words; empty: the session's
 };
 
 // What undo and redo would change, in words; empty: there is nothing.

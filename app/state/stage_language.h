@@ -63,4 +63,14 @@ std::string filled(std::string_view words, const Values&... values) {
   return fmt::format(fmt::runtime(words), values...);
 }
 
+// Of what is on a button, "Enter: next step", for whoever has no such key or is elsewhere: "Next step".
+inline std::string without_key(std::string_view words) {
+  const std::size_t end = words.find(": ");
+  if (end == std::string_view::npos) return std::string(words);
+  std::string rest(words.substr(end + 2));
+  if (!rest.empty() && rest.front() >= 'a' && rest.front() <= 'z')
+    rest.front() = static_cast<char>(rest.front() - 'a' + 'A');
+  return rest;
+}
+
 }  // namespace ghostforce

@@ -41,6 +41,19 @@ constexpr ImGuiWindowFlags dialog_window = ImGuiWindowFlags_NoResize | ImGuiWind
 
 constexpr const char* notice_window = "notice";
 
+// A window as small as a phone's, where fingers press.
+bool is_phone(const ImVec2& size) {
+  constexpr float widest_phone = 500.0F;
+  return std::min(size.x, size.y) < widest_phone;
+}
+
+ImVec2 button_padding(const ImVec2& size) {
+  constexpr float finger = 44.0F;
+  ImVec2 padding = ImGui::GetStyle().FramePadding;
+  if (is_phone(size)) padding.y = std::max(padding.y, 0.5F * (finger - ImGui::GetFontSize()));
+  return padding;
+}
+
 // Of what speaks the stage's language; the others are called as their entry says.
 std::string title_in(const StageLanguage& language, Dialog dialog) {
   if (dialog == Dialog::lessons) return fmt::format("{}: {}", language.picker.title, language.picker.about);
@@ -116,13 +129,7 @@ void draw_dialog(const PanelContext& context, const std::optional<Vector<2>>& ha
     ImGui::SetNextWindowPos({0.5F * whole.x, middle}, ImGuiCond_Always, {0.5F, 0.5F});
   }
   ImGui::SetNextWindowSizeConstraints({0.0F, 0.0F}, {whole.x - 2.0F * margin, whole.y - top - margin});
-  // In a window as small as a phone's, where fingers press.
-  constexpr float widest_phone = 500.0F;
-  constexpr float finger = 44.0F;
-  ImVec2 padding = ImGui::GetStyle().FramePadding;
-  if (std::min(whole.x, whole.y) < widest_phone)
-    padding.y = std::max(padding.y, 0.5F * (finger - ImGui::GetFontSize()));
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, padding);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, button_padding(whole));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.5F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 6.0F * context.scale);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {margin, std::round(0.75F * margin)});
@@ -168,7 +175,11 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   const std::string& words = session.notice->words;
   const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
   wrapped_text(words, ImGui::GetCursorPosX() + wrap);
-  const bool enough = ImGui::SmallButton(stage_language(session.language).notices.close.data());
+  const ImVec2 whole = ImGui::GetIO().DisplaySize;
+  const std::string_view close = stage_language(session.language).notices.close;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, button_padding(whole));
+  const bool enough = is_phone(whole) ? ImGui::Button(close.data()) : ImGui::SmallButton(close.data());
+  ImGui::PopStyleVar();
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);

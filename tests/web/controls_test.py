@@ -191,6 +191,23 @@ class Controls(ControlsTest):
             self.browser.script("document.querySelector('#control-actions [aria-disabled]').click()")
             wait_for(lambda: self.text("notice") and told() == count, f"the refusal told {count} times")
 
+    def test_say_again_what_a_key_has_done(self):
+        browser = self.open()
+        self.wait_for_control("actions")
+        self.listen()
+        told = lambda: len([each for each in self.heard() if "Copied the live values" in each])
+        for count in (1, 2):
+            browser.press("V")
+            wait_for(lambda: told() == count, f"that the values were copied, told {count} times")
+
+    def test_tell_the_workbench_and_a_dialog_by_their_names(self):
+        browser = self.open()
+        self.wait_for_control("actions")
+        browser.press("F4")
+        self.wait_for_text("sentence", lambda text: text.startswith("The workbench is open"), "the workbench")
+        browser.press("D")
+        self.wait_for_text("dialog", lambda text: "Device status" in text, "the dialog's name")
+
     def test_keys_in_them_are_not_the_programs(self):
         browser = self.open()
         before = browser.state()
@@ -263,7 +280,7 @@ class Controls(ControlsTest):
                 self.use("next")
         self.assertIn("ghost force", self.text("why-4"))
         self.assertEqual(self.focused(), "control-next")
-        self.wait_for_text("next", lambda text: "back" in text, "the way back")
+        self.wait_for_text("next", lambda text: "Back" in text, "the way back")
         browser.press("Enter")
         browser.wait_until(mode="none")
         # What had the focus has gone; it is still among the controls.
@@ -277,9 +294,12 @@ class Controls(ControlsTest):
         self.wait_for_text("value-ghost", lambda text: text.startswith("fuerza fantasma"), "Spanish words")
         self.assertEqual(browser.script("return document.documentElement.lang"), "es")
         keys = browser.script("return [...document.querySelectorAll('#control-keys p')].map((row) => row.textContent)")
-        self.assertIn("Flechas: Mover meta o apuesta 1 mm (Mayús: 0.1, Ctrl: 10)", keys)
+        self.assertIn("Flechas: Mover mano o apuesta 1 mm (Mayús: 0.1, Ctrl: 10)", keys)
         self.assertIn("M: Lecciones: elegir una", keys)
         self.assertEqual(browser.script("return document.querySelectorAll('#controls [lang]').length"), 0)
+        browser.press("V")
+        self.wait_for_text("notice", lambda text: text.startswith("Valores copiados"), "a notice in Spanish")
+        self.assertIn("Mover la mano con: Ratón", self.text("actions"))
         browser.press("U")
         link = lambda: browser.script("return document.querySelector('dialog[open]')?.textContent")
         words = wait_for(link, "the link")

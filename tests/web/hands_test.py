@@ -272,10 +272,10 @@ class Phone(PageTest):
         browser.open(self.address())
         browser.press("F4")
         state = browser.wait(lambda state: state["notice"], "words about the workbench")
-        self.assertIn("wider window", state["notice"])
+        self.assertIn("larger window", state["notice"])
         self.assertEqual(state["face"], "stage")
-        browser.resize((844, 390))
-        browser.wait_until(size_px=[844, 390])
+        browser.resize((844, 600))
+        browser.wait_until(size_px=[844, 600])
         browser.press("F4")
         browser.wait_until(face="workbench")
         browser.resize((390, 844))
@@ -293,6 +293,18 @@ class Phone(PageTest):
             return 0 < x < 390 and 0 < y < 844
 
         browser.wait(is_seen, "the hand in the picture")
+
+    def test_whose_view_was_moved_has_the_handle_above_the_strategies(self):
+        browser = self.start(size=(390, 844))
+        browser.open(self.address())
+        browser.touch(*[[(100 + 10 * i, 300 + 12 * i), (200 + 10 * i, 300 + 12 * i)] for i in range(11)])
+        highest_card = 660
+
+        def is_seen(state):
+            places = (browser.on_screen(state[key]) for key in ("goal_m", "device_m"))
+            return all(0 < x < 390 and 0 < y < highest_card for x, y in places)
+
+        browser.wait(is_seen, "hand and handle in sight")
 
 
 if __name__ == "__main__":

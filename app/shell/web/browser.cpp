@@ -35,6 +35,7 @@ EM_JS(bool, take_changed_fragment, (), {
   return has_changed;
 })
 EM_JS(bool, is_in_sight, (), { return !document.hidden; })
+EM_JS(bool, has_page_around, (), { return window.top !== window.self; })
 EM_JS(bool, prefers_reduced_motion, (), {
   const query = Module["reducedMotion"] ||= matchMedia("(prefers-reduced-motion: reduce)");
   return query.matches;
@@ -152,6 +153,10 @@ bool shows_dialog() {
 
 bool take_fragment_change() {
   return take_changed_fragment();
+}
+
+bool is_in_frame() {
+  return has_page_around();
 }
 
 bool is_visible() {

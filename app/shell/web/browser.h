@@ -27,6 +27,8 @@ bool take_fragment_change();
 // Whether the tab is in sight.
 bool is_visible();
 bool has_focus();
+// Whether there is a page around this one.
+bool is_in_frame();
 // What the person has set for all pages: that they move as little as possible.
 bool wants_less_motion();
 // The colours that the person has set for all pages; empty: each page has its own. Slow: not in each frame.

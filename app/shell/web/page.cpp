@@ -37,7 +37,7 @@ constexpr const char* first_scene = "wall45";
 constexpr double look_every_s = 0.5;
 // In less room its panels leave nothing of the scene, and their words do not fit [CSS pixels].
 constexpr int least_workbench_width = 640;
-constexpr int least_workbench_height = 360;
+constexpr int least_workbench_height = 480;
 
 // The servo's ticks of a frame, and how long they took.
 class MeasuredServoDriver final : public ServoDriver {
@@ -207,6 +207,11 @@ void Page::follow_keys() {
   const Session& session = application_.session();
   window_.set_key_uses({.tab = session.face == Face::workbench || session.dialog != Dialog::none,
                         .escape = escape_has_use(session) || is_kiosk_});
+  // In a page around this one, nobody else says so.
+  const Face before = std::exchange(seen_face_, session.face);
+  if (before == session.face || session.face == Face::stage || !browser::is_in_frame()) return;
+  application_.show_notice(std::string(stage_language(session.language).controls.leave_workbench), false,
+                           session.language);
 }
 
 // What somebody has answered must not be lost between two looks.
@@ -229,7 +234,8 @@ void Page::follow_size() {
   session.has_room_for_workbench = size.width >= least_workbench_width && size.height >= least_workbench_height;
   if (session.has_room_for_workbench || session.face != Face::workbench || size.width == 0) return;
   application_.act(ShowFace{Face::stage});
-  application_.show_notice(std::string(stage_language(session.language).refusals.needs_wider_window), false);
+  application_.show_notice(std::string(stage_language(session.language).refusals.needs_larger_window), false,
+                           session.language);
 }
 
 // Fingers go farther than they mean to: a view without hand and handle is of no use to anybody.
@@ -237,9 +243,11 @@ void Page::follow_fingers() {
   Session& session = application_.session();
   if (!window_.take_end_of_pinch() || session.face != Face::stage) return;
   const Snapshot snapshot = application_.shown().snapshot;
-  const Camera& camera = application_.screen().panes().front().camera;
+  const StagePicture& picture = application_.screen().stage().picture();
   const auto is_seen = [&](const Vector<2>& world) {
-    return contains(ScreenBox{Vector<2>(0.0), camera.size}, to_screen(camera, world));
+    const Vector<2> place = to_screen(picture.pane.camera, world);
+    return contains(picture.scene, place) && !(picture.numbers && contains(*picture.numbers, place)) &&
+           !(picture.tools && contains(*picture.tools, place));
   };
   const bool all_seen =
       is_seen(snapshot.goal) && is_seen(snapshot.strategies[index_of(session.settings.active)].device);

@@ -106,6 +106,7 @@ class Page {
   std::string address_;         // that stands in the address
   std::string lesson_{"null"};  // as the page around this one knows it
   WindowSize seen_size_;
+  Face seen_face_ = Face::stage;
   int frames_without_graphics_ = 0;  // one after another
   PageControls controls_;
 };

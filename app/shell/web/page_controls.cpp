@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
+#include <limits>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,7 +70,8 @@ void PageControls::show(Application& application, bool is_later) {
               {"text", css(theme.text)},
               {"field", css(theme.panel_field)},
               {"accent", css(theme.accent)}}}};
-  if (std::exchange(repeats_notice_, false) && session.notice) json["repeats_notice"] = true;
+  const double notice_age_s = session.notice ? session.notice->age_s : std::numeric_limits<double>::infinity();
+  if (notice_age_s < std::exchange(notice_age_s_, notice_age_s)) json["has_new_notice"] = true;
   for (const StageControl& each : controls) json["controls"].push_back(json_of(each));
   std::string text = json.dump();
   if (text == shown_) return;
@@ -86,9 +87,7 @@ void PageControls::use(Application& application, std::string_view id, double val
   if (!control->refusal.empty()) {
     // A range or a choice has already moved: it is to be shown as it is.
     shown_.clear();
-    const std::optional<Notice>& notice = application.session().notice;
-    repeats_notice_ = notice && notice->words == control->refusal;
-    return application.show_notice(control->refusal, false);
+    return application.show_notice(control->refusal, false, application.session().language);
   }
   for (const Action& action : control->act(value)) application.act_at_once(action);
 }

@@ -27,7 +27,7 @@ class PageControls {
   SettledTexts texts_;
   std::string shown_;
   bool has_news_ = false;
-  bool repeats_notice_ = false;  // the newest notice says what stood there already
+  double notice_age_s_ = 0.0;  // when it was last shown; infinite: there was none
 };
 
 }  // namespace ghostforce

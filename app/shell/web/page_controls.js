@@ -102,13 +102,15 @@ function tellNews() {
   hasTold = true;
   for (const [region, isAlert] of [["alerts", true], ["polite", false]]) {
     // With a pause after each.
-    const words = news.filter((each) => (each.kind === "alert") === isAlert)
-      .map((each) => each.words.replace(/[^.:!?…]$/, "$&."));
+    const its = news.filter((each) => (each.kind === "alert") === isAlert);
+    const words = its.map((each) => each.words.replace(/[^.:!?…]$/, "$&."));
     // An element of its own, so that the same words can be told twice, and after those that may not have been told yet.
     // What is there at first is read anyway.
     if (words.length > 0 && (isAlert || !isFirst)) {
       const told = document.getElementById(region);
-      told.append(element("p", { textContent: words.join(" ") }));
+      const each = element("p", { textContent: words.join(" ") });
+      if (its.every((one) => one.language === its[0].language)) setAttribute(each, "lang", its[0].language);
+      told.append(each);
       while (told.children.length > mostTold) told.firstElementChild.remove();
     }
   }
@@ -189,7 +191,8 @@ function showControls(told) {
     if (!made.outer.isConnected) shown.delete(id);
   }
   keepFocus(focused, round);
-  if (told.repeats_notice) news.push(told.controls.find((each) => each.id === "notice"));
+  const notice = told.controls.find((each) => each.id === "notice");
+  if (told.has_new_notice && !news.includes(notice)) news.push(notice);
   tellNews();
 }
 

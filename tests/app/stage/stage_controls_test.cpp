@@ -320,8 +320,18 @@ TEST_F(StageControls, TellANoticeUntilItIsDismissed) {
   EXPECT_FALSE(has("notice"));
   session.notice = Notice{"Something", true};
   EXPECT_EQ(control("notice").kind, Kind::alert);
+  EXPECT_EQ(control("notice").language, "") << "that of all";
+  session.notice->language = "en";
+  EXPECT_EQ(control("notice").language, "en");
   use("notice-close");
   EXPECT_FALSE(has("notice"));
+}
+
+TEST_F(StageControls, CallADialogAsItsActionIsCalled) {
+  for (const auto& [dialog, name] : {std::pair{Dialog::doctor, "Device status"}, {Dialog::lessons, "Lessons"}}) {
+    session.dialog = dialog;
+    EXPECT_TRUE(control("dialog").words.find(name) != std::string::npos) << control("dialog").words;
+  }
 }
 
 TEST(SettledTexts, TellWhatHasStoodForTwoLooks) {
@@ -372,9 +382,8 @@ TEST(SettledTexts, TellTogetherWhatStandsTogether) {
 }
 
 TEST_F(StageControls, TellTheHandAndWhatItLeadsToOnceTheyHaveSettled) {
-  for (const std::string_view id : {"value-hand", "value-ghost", "value-slide"})
+  for (const std::string_view id : {"value-hand", "value-ghost", "value-slide", "value-share"})
     EXPECT_EQ(control(id).kind, Kind::told);
-  EXPECT_EQ(control("value-share").kind, Kind::text) << "it is there to be read, and three are enough to hear";
 }
 
 }  // namespace
