@@ -119,6 +119,8 @@ class Application {
 
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem, std::string language = "en");
+  // How many have been shown; the same words once more count again.
+  std::uint64_t notice_count() const noexcept { return notice_count_; }
 
   // The person sees a replay, which is as far as that. When it is over, they have the window to themselves.
   void show_replay_place(const ReplayPlace& place) noexcept {
@@ -208,7 +210,8 @@ class Application {
   Window& window_;
   Session session_;
   UndoHistory undo_;
-  Effects effects_;          // that are still to be done
+  Effects effects_;  // that are still to be done
+  std::uint64_t notice_count_ = 0;
   bool has_failed_ = false;  // of what is being done at the moment, something
   std::vector<InputEntry> inputs_;
   std::vector<InputChoice> input_choices_;

@@ -202,10 +202,8 @@ std::optional<Vector<2>> grip_of_circle(const StageLayer& layer, const ScreenBox
   for (double angle = 0.0; angle < 2.0 * std::numbers::pi; angle += step) {
     const Vector<2> place = at_angle(angle);
     const Vector<2> shown = canvas.at(place);
-    const auto tools = layout.tools_box();
-    const bool is_covered = (layout.numbers && contains(*layout.numbers, shown)) || (tools && contains(*tools, shown));
     const double apart = glm::distance(place, content.moment.expected_contact);
-    if (is_covered || !contains(room, shown) || apart <= most) continue;
+    if (!is_in_sight(layout, shown) || !contains(room, shown) || apart <= most) continue;
     most = apart;
     farthest = place;
   }
@@ -229,7 +227,7 @@ std::vector<StagePart> stage_parts(const StageLayer& layer) {
     }
     if (part.part == ScenePart::circle_edge) part.at = grip_of_circle(layer, room).value_or(part.at);
     const Vector<2> place = canvas.at(part.at);
-    if (contains(layout.scene(), place)) {
+    if (is_in_sight(layout, place)) {
       parts.push_back({part, place, canvas.camera.points_per_metre});
     } else if (canvas.inset && !is_of_wall(part.part)) {
       parts.push_back({part, canvas.inset->at(part.at), canvas.inset->points_per_metre});
@@ -293,7 +291,7 @@ void add_device_inset(const StageLayer& layer) {
   if (content.settings.general.mechanism == MechanismKind::axes || content.is_bare) return;
   const LinkagePose pose = nearest_pose(mechanism_of(content.settings), content.moment.handle);
   const std::span<const Vector<2>> joints(pose.joints.data(), pose.joint_count);
-  const auto is_seen = [&](const Vector<2>& joint) { return contains(layout.scene(), canvas.at(joint)); };
+  const auto is_seen = [&](const Vector<2>& joint) { return is_in_sight(layout, canvas.at(joint)); };
   if (std::ranges::all_of(joints, is_seen)) return;
   const auto box = place_of_device(layout);
   if (!box) return;

@@ -151,7 +151,10 @@ void take_words_away(const StageLayer& layer, const ScreenBox& box) {
     return overlap(box, ScreenBox{corner, corner + content.measure(label->text, label->style)}) > 0.0;
   };
   // A map's words, and those of buttons, each stand for themselves.
-  const auto stands_alone = [](const Mark& mark) { return mark.role == Role::map || mark.role == Role::button; };
+  const bool is_map = content.mode == StageMode::landscape;
+  const auto stands_alone = [is_map](const Mark& mark) {
+    return is_map || mark.role == Role::map || mark.role == Role::button;
+  };
   // A line that leads to words goes with them.
   Marks& marks = canvas.marks;
   const auto leads_to_words = [&](std::size_t i) {
@@ -288,9 +291,17 @@ void add_place_of_numbers(const StageLayer& layer) {
   // A hand that is dragged may be there until it is let go, and must be seen, too.
   constexpr double under_numbers = 0.6;
   const LabelObstacles& obstacles = canvas.labels.obstacles();
-  const bool covers_hand = obstacles.is_crossed(*layout.numbers, Clearance::if_possible);
+  const bool has_mechanism = content.settings.general.mechanism != MechanismKind::axes;
+  const auto is_below = [&](const Vector<2>& place) {
+    return contains(layout.numbers->grown(canvas.points(40.0)), canvas.at(place));
+  };
+  const bool covers_hand = has_mechanism ? is_below(content.moment.goal) || is_below(content.moment.handle)
+                                         : obstacles.is_crossed(*layout.numbers, Clearance::if_possible);
   if (!content.hides.numbers && obstacles.is_crossed(*layout.numbers, Clearance::always)) {
-    add_plate(layer, Role::number, *layout.numbers, covers_hand ? under_numbers : under_sentences);
+    ScreenBox plate = *layout.numbers;
+    // Joints and strings that shine through would be taken for digits; the small picture has them.
+    if (has_mechanism) plate.least.x = 0.0;
+    add_plate(layer, Role::number, plate, covers_hand ? under_numbers : has_mechanism ? 1.0 : under_sentences);
   }
   canvas.labels.keep_clear(layout.numbers->grown(canvas.points(plate_padding)));
 }

@@ -162,6 +162,9 @@ struct StageFrameWords {
   SentenceWidths* widths = nullptr;  // of the picture before; null: all is measured anew
 };
 
+// Not below the numbers, nor Fit and Reset.
+bool is_in_sight(const StageLayout& layout, const Vector<2>& place);
+
 // How wide that button is, with its key and the strategy's shape before the words [points]. Pure.
 double strategy_button_width(const StrategyWords& words, double unit, const StageLetters& letters,
                              const MeasureText& measure);

@@ -109,7 +109,11 @@ StagePointer::Hold StagePointer::hold_at(const Session& session, const Scene& sc
     part_ = part;
     return Hold::part;
   }
-  return Hold::goal;
+  // Who has missed a joint there does not mean the hand.
+  if (picture.inset && contains(*picture.inset, pointer)) return Hold::nothing;
+  // Nor does who guesses, but for a hand that is not in the wall yet.
+  const bool guesses = session.stage.guess_is_open && depth_in_wall(session.settings, session.goal) > 0.0;
+  return session.stage.guess && guesses ? Hold::guess : Hold::goal;
 }
 
 // Wherever it is dragged to.

@@ -67,9 +67,7 @@ std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& 
     const bool is_turned = held && held->grip == StageGrip::motor;
     const double to_pointer = is_turned ? glm::dot(held->pointer - middle, direction) : 0.0;
     // The end that is held comes to the pointer, and beside the handle where that is at the pointer.
-    const double reach = is_turned && to_pointer > -beside_handle * unit
-                             ? to_pointer
-                             : glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
+    const double reach = to_pointer > 0.0 ? to_pointer : glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     ScreenPiece piece{middle, middle + direction * reach, 0.0};
     // A handle that is dragged below the buttons takes its rail along.
     const ScreenBox seen = contains(layout.scene(), middle) ? layout.scene() : ScreenBox{Vector<2>(0.0), layout.size};
@@ -353,7 +351,7 @@ void add_stage_force(const StageLayer& layer) {
 std::optional<SlideRuler> slide_ruler(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const StageMoment& moment = content.moment;
-  if ((moment.is_measured && !moment.has_target) || !moment.in_contact) return std::nullopt;
+  if ((moment.is_measured && !moment.has_target) || !moment.in_contact || !moment.has_rest) return std::nullopt;
   const Vector<2> out = normal_on_screen(content, moment.expected_contact);
   const Vector<2> from = canvas.at(moment.expected_contact) + out * canvas.points(34.0);
   const Vector<2> to = from + to_screen_direction(moment.slide) * canvas.camera.points_per_metre;

@@ -89,7 +89,11 @@ constexpr std::array sentences{
                return !now.moment.has_rest && now.is(StrategyId::naive) &&
                       motor_reach(now.settings, now.moment.goal).count > 0;
              }},
-    Sentence{&Sentences::out_of_reach, [](const Facts& now) { return now.moment.is_outside; }},
+    Sentence{&Sentences::out_of_reach,
+             [](const Facts& now) {
+               return now.moment.is_outside ||
+                      (!now.moment.has_rest && motor_reach(now.settings, now.moment.goal).count == 0);
+             }},
     Sentence{&Sentences::drag_into_wall,
              [](const Facts& now) {
                return !now.moment.in_contact && now.audience.can_drag && !now.audience.looks_back &&

@@ -151,10 +151,13 @@ void add_why(const StageLayer& layer) {
   const Vector<2> along = glm::length(forces.share) > 0.0 ? glm::normalize(drawn(forces.share)) : out;
   const Vector<2> missing = push_end - share_end;
   // Links, strings and their rail leave less room than words need.
-  const bool is_narrow = is_general(content.settings);
+  const bool has_links = is_general(content.settings);
   const auto say = [&](int from_step, StageLabel::Id id, Role role, const StageEdge& thing, const Vector<2>& side,
                        Colour colour, bool is_bold) {
     if (step < from_step) return;
+    // Nor do steep triangles.
+    const bool is_narrow =
+        has_links || (from_step == 3 && glm::length(missing) > 2.5 * glm::distance(start, share_end));
     const Vector<2> middle = 0.5 * (thing.from + thing.to);
     const std::string& said = words[static_cast<std::size_t>(from_step - 1)];
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;

@@ -171,6 +171,9 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoFocusOnAppearing);
+  // On the stage, letters are made for a room.
+  constexpr float stage_letters = 1.35F;
+  ImGui::PushFont(nullptr, ImGui::GetStyle().FontSizeBase * (session.face == Face::stage ? stage_letters : 1.0F));
   if (session.notice->is_problem) text_in(context.fonts.bold, stage_language(session.language).notices.problem);
   const std::string& words = session.notice->words;
   const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
@@ -180,6 +183,7 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, button_padding(whole));
   const bool enough = is_phone(whole) ? ImGui::Button(close.data()) : ImGui::SmallButton(close.data());
   ImGui::PopStyleVar();
+  ImGui::PopFont();
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);

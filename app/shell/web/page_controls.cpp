@@ -2,7 +2,7 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,8 +70,8 @@ void PageControls::show(Application& application, bool is_later) {
               {"text", css(theme.text)},
               {"field", css(theme.panel_field)},
               {"accent", css(theme.accent)}}}};
-  const double notice_age_s = session.notice ? session.notice->age_s : std::numeric_limits<double>::infinity();
-  if (notice_age_s < std::exchange(notice_age_s_, notice_age_s)) json["has_new_notice"] = true;
+  const std::uint64_t notices = application.notice_count();
+  if (std::exchange(notices_, notices) != notices && session.notice) json["has_new_notice"] = true;
   for (const StageControl& each : controls) json["controls"].push_back(json_of(each));
   std::string text = json.dump();
   if (text == shown_) return;

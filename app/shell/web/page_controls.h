@@ -3,6 +3,7 @@
 // thread.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -27,7 +28,7 @@ class PageControls {
   SettledTexts texts_;
   std::string shown_;
   bool has_news_ = false;
-  double notice_age_s_ = 0.0;  // when it was last shown; infinite: there was none
+  std::uint64_t notices_ = 0;  // that have been shown
 };
 
 }  // namespace ghostforce
