@@ -106,7 +106,7 @@ TEST_F(StageControls, TellTheNumbersOfTheStage) {
 TEST_F(StageControls, CallThePartOfTheWallsPushNotThePush) {
   EXPECT_EQ(control("value-share").words, "the motor's part of the wall's push: 2.12 N");
   session.settings.active = StrategyId::full;
-  EXPECT_EQ(control("value-share").words, "the wall's push, with every motor: 3.00 N");
+  EXPECT_EQ(control("value-share").words, "the wall's push, which the motors give: 3.00 N");
   use("mode-why");
   EXPECT_EQ(control("why-1").words, "1  the wall pushes straight out: 3.00 N");
 }
@@ -232,7 +232,7 @@ TEST_F(StageControls, LeadThroughWhyWithItsWords) {
   EXPECT_FALSE(has("why-2"));
   for (int i = 0; i < 3; ++i) apply(session, GoOn{});
   EXPECT_EQ(control("why-3").words, "3  no motor gives the part upwards (2.12 N): the handle slides");
-  EXPECT_EQ(control("why-4").words, "4  the slide pulls: ghost force 1.27 N");
+  EXPECT_EQ(control("why-4").words, "4  the slide adds: ghost force 1.27 N");
   session.settings.actuated_angle = 30.0 * radians_per_degree;
   EXPECT_TRUE(control("why-3").words.starts_with("3  no motor gives the part at 120° (2.89 N): "))
       << control("why-3").words;
