@@ -297,12 +297,17 @@ void add_device_inset(const StageLayer& layer) {
   if (!box) return;
   ScreenBox world{joints[0], joints[0]};
   for (const Vector<2>& joint : joints) world.include(joint);
-  const Vector<2> room = box->extent() - Vector<2>(canvas.points(52.0));
+  const double title = layout.letters.about.height;
+  const Vector<2> room = box->extent() - Vector<2>(canvas.points(52.0), canvas.points(40.0) + title);
   const Vector<2> scale = room / glm::max(world.extent(), Vector<2>(1e-6));
-  canvas.inset = DeviceInset{*box, 0.5 * (world.least + world.most), std::min(scale.x, scale.y)};
+  const double points_per_metre = std::min(scale.x, scale.y);
+  const Vector<2> below_title(0.0, 0.5 * title / points_per_metre);
+  canvas.inset = DeviceInset{*box, 0.5 * (world.least + world.most) + below_title, points_per_metre};
   const Theme& theme = content.theme;
   canvas.box(Role::linkage, *box, canvas.points(10.0), theme.background, theme.panel_border, canvas.width(2.0));
   canvas.labels.keep_clear(box->grown(canvas.points(4.0)));
+  canvas.text(Role::linkage, box->least + Vector<2>(canvas.points(8.0), canvas.points(4.0)),
+              std::string(content.language.labels.whole_device), layout.letters.about, theme.faint_text, false);
   DeviceInset within_rim = *canvas.inset;
   within_rim.box = box->grown(-canvas.points(4.0));
   add_edge_in(layer, within_rim, Role::linkage, 2.0, mix(theme.wall, theme.wall_edge, 0.6));

@@ -86,7 +86,7 @@ void act(Session& session, const TurnWallToLargestDrift&) {
 }
 
 void act(Session& session, const MovePart& action) {
-  session.settings = with_part_at(session.settings, action.part, action.to);
+  session.settings = with_part_at(session.settings, action.part, action.to, session.goal);
 }
 
 void act(Session& session, const SwitchMotor&) {

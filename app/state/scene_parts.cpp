@@ -76,18 +76,24 @@ std::vector<PlacedPart> scene_parts(const Settings& settings, const Vector<2>& h
   return parts;
 }
 
-Settings with_part_at(Settings settings, ScenePart part, const Vector<2>& to) noexcept {
+Settings with_part_at(Settings settings, ScenePart part, const Vector<2>& to, const Vector<2>& goal) noexcept {
   constexpr NumberRange radii{0.001, 1.0};  // [m]
   const Vector<2> place = nearest_in_scene(to);
   GeneralSettings& general = settings.general;
+  const auto within_reach = [&](double longest) {
+    const double least_room = 0.95 * longest;
+    const double distance = glm::distance(place, goal);
+    return distance <= least_room ? place : goal + (place - goal) * (least_room / distance);
+  };
   const std::size_t number = static_cast<std::size_t>(part);
   switch (part) {
     case ScenePart::left_base:
     case ScenePart::right_base:
       if (general.mechanism == MechanismKind::pantograph) {
-        general.pantograph.bases[number - static_cast<std::size_t>(ScenePart::left_base)] = place;
+        general.pantograph.bases[number - static_cast<std::size_t>(ScenePart::left_base)] =
+            within_reach(general.pantograph.proximal + general.pantograph.distal);
       } else if (general.mechanism == MechanismKind::arm && part == ScenePart::left_base) {
-        general.arm.base = place;
+        general.arm.base = within_reach(general.arm.links[0] + general.arm.links[1]);
       }
       break;
     case ScenePart::first_anchor:

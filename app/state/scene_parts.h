@@ -60,7 +60,7 @@ struct PlacedPart {
 // Those that the scene has, with the handle there. Walls are held so far from their corner [m].
 std::vector<PlacedPart> scene_parts(const Settings& settings, const Vector<2>& handle, double wall_reach);
 
-// As near to there as a scene may have it. Parts that it does not have, or that stay, change nothing.
-Settings with_part_at(Settings settings, ScenePart part, const Vector<2>& to) noexcept;
+// As near to there as a scene may have it, and a base no farther from the hand's `goal` than its links reach. Parts that it does not have, or that stay, change nothing.
+Settings with_part_at(Settings settings, ScenePart part, const Vector<2>& to, const Vector<2>& goal) noexcept;
 
 }  // namespace ghostforce

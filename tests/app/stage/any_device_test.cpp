@@ -339,7 +339,7 @@ TEST(SceneParts, MoveWhereTheyAreDraggedAndNothingElse) {
     const Scene scene = load_scene(name);
     for (const PlacedPart& part : scene_parts(scene.settings, scene.goal.points.back(), 0.05)) {
       const Vector<2> to = part.at + Vector<2>(0.004, -0.003);
-      const Settings moved = with_part_at(scene.settings, part.part, to);
+      const Settings moved = with_part_at(scene.settings, part.part, to, scene.goal.points.back());
       if (part.stays) {
         EXPECT_EQ(moved, scene.settings);
         continue;
@@ -357,13 +357,28 @@ TEST(SceneParts, MoveWhereTheyAreDraggedAndNothingElse) {
   }
 }
 
+TEST(SceneParts, KeepABaseWithinReachOfTheHand) {
+  for (const auto& [name, reach] : {std::pair{"arm", 0.320}, {"pantograph", 0.250}}) {
+    const Settings settings = load_scene(name).settings;
+    const Vector<2> goal(0.01, -0.01);
+    for (const Vector<2>& to : {Vector<2>(0.9, 0.3), Vector<2>(-2.0, 0.0), Vector<2>(0.0, -0.7)}) {
+      const Settings moved = with_part_at(settings, ScenePart::left_base, to, goal);
+      const Vector<2> base = scene_parts(moved, goal, 0.05).front().at;
+      EXPECT_LE(glm::distance(base, goal), reach) << name;
+      EXPECT_GE(glm::dot(glm::normalize(base - goal), glm::normalize(nearest_in_scene(to) - goal)), 1.0 - 1e-12)
+          << name;
+    }
+  }
+}
+
 TEST(SceneParts, KeepACornerOpen) {
   const Settings settings = load_scene("corner").settings;
   const std::array<double, 2>& angles = settings.general.corner_normal_angles;
   // Onto the other wall.
   const Vector<2> other = direction_at(angles[1] + 0.5 * std::numbers::pi);
   for (const double side : {-0.05, 0.05}) {
-    EXPECT_EQ(with_part_at(settings, ScenePart::first_wall, settings.wall_point + side * other), settings);
+    EXPECT_EQ(with_part_at(settings, ScenePart::first_wall, settings.wall_point + side * other, Vector<2>(0.0)),
+              settings);
   }
 }
 
