@@ -12,6 +12,7 @@
 
 #include "core/constraint.h"
 #include "core/contact_solver.h"
+#include "core/fixed_contact.h"
 #include "core/mechanism.h"
 #include "core/settings.h"
 #include "core/snapshot.h"

@@ -67,7 +67,9 @@ std::array<Vector<2>, 2> rail_ends(const Settings& settings, const StageMoment& 
     const bool is_turned = held && held->grip == StageGrip::motor;
     const double to_pointer = is_turned ? glm::dot(held->pointer - middle, direction) : 0.0;
     // The end that is held comes to the pointer, and beside the handle where that is at the pointer.
-    const double reach = to_pointer > 0.0 ? to_pointer : glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
+    const double reach = is_turned && to_pointer > -beside_handle * unit
+                             ? to_pointer
+                             : glm::mix(of_one_motor, short_rail * unit, fullness_of(moment));
     ScreenPiece piece{middle, middle + direction * reach, 0.0};
     // A handle that is dragged below the buttons takes its rail along.
     const ScreenBox seen = contains(layout.scene(), middle) ? layout.scene() : ScreenBox{Vector<2>(0.0), layout.size};

@@ -155,9 +155,9 @@ void add_why(const StageLayer& layer) {
   const auto say = [&](int from_step, StageLabel::Id id, Role role, const StageEdge& thing, const Vector<2>& side,
                        Colour colour, bool is_bold) {
     if (step < from_step) return;
-    // Nor do steep triangles.
-    const bool is_narrow =
-        has_links || (from_step == 3 && glm::length(missing) > 2.5 * glm::distance(start, share_end));
+    // Nor does a steep triangle under the sentence.
+    const bool is_steep = ghost_end.y < share_end.y && glm::length(missing) > 2.5 * glm::distance(start, share_end);
+    const bool is_narrow = has_links || (from_step == 3 && is_steep);
     const Vector<2> middle = 0.5 * (thing.from + thing.to);
     const std::string& said = words[static_cast<std::size_t>(from_step - 1)];
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 #include <Eigen/Dense>
 
+#include "core/fixed_contact.h"
 #include "tests/core/dimensions.h"
 #include "tests/core/least_energy_oracle.h"
 #include "tests/core/random_setting.h"
