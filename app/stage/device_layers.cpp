@@ -306,14 +306,14 @@ void add_device_inset(const StageLayer& layer) {
   const Theme& theme = content.theme;
   canvas.box(Role::linkage, *box, canvas.points(10.0), theme.background, theme.panel_border, canvas.width(2.0));
   canvas.labels.keep_clear(box->grown(canvas.points(4.0)));
-  canvas.text(Role::linkage, box->least + Vector<2>(canvas.points(8.0), canvas.points(4.0)),
-              std::string(content.language.labels.whole_device), layout.letters.about, theme.faint_text, false);
   DeviceInset within_rim = *canvas.inset;
   within_rim.box = box->grown(-canvas.points(4.0));
   add_edge_in(layer, within_rim, Role::linkage, 2.0, mix(theme.wall, theme.wall_edge, 0.6));
   add_device(layer, pose, 0.55, [&](const Vector<2>& place) { return canvas.inset->at(place); });
   const Colour own = stage_colour(content.moment, theme.strategy);
   canvas.disc(Role::linkage, canvas.inset->at(content.moment.handle), canvas.points(6.0), own, own, 0.0);
+  canvas.text(Role::linkage, box->least + Vector<2>(canvas.points(8.0), canvas.points(4.0)),
+              std::string(content.language.labels.whole_device), layout.letters.about, theme.faint_text);
   for (const StagePart& part : content.may_move_parts ? stage_parts(layer) : std::vector<StagePart>()) {
     const bool is_hot = content.hovered_part == part.placed.part && contains(*box, part.place);
     if (is_hot) add_hot_ring(layer, part.place, 12.0);

@@ -30,8 +30,8 @@ void add_guess(const StageLayer& layer) {
   const Theme& theme = content.theme;
   const Vector<2> at = canvas.at(*guess.at);
   const double radius = canvas.points(guess_radius);
-  canvas.disc(Role::guess, at, radius, theme.background.with_alpha(0),
-              faded(theme.accent, guess.is_open ? 1.0 : 0.55), canvas.width(4.0));
+  canvas.disc(Role::guess, at, radius, theme.background.with_alpha(0), faded(theme.accent, guess.is_open ? 1.0 : 0.55),
+              canvas.width(4.0));
   canvas.label(Role::guess,
                {StageLabel::guess,
                 {words},

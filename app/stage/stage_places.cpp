@@ -1,13 +1,16 @@
 #include "app/stage/stage_places.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace ghostforce {
 
 bool is_in_sight(const StageLayout& layout, const Vector<2>& place) {
-  const auto tools = layout.tools_box();
-  const bool is_covered = (layout.numbers && contains(*layout.numbers, place)) || (tools && contains(*tools, place));
-  return !is_covered && contains(layout.scene(), place);
+  // Nor to their left, up to the edge.
+  const auto is_beside = [&](const std::optional<ScreenBox>& box) {
+    return box && place.x <= box->most.x && place.y >= box->least.y && place.y <= box->most.y;
+  };
+  return !is_beside(layout.numbers) && !is_beside(layout.tools_box()) && contains(layout.scene(), place);
 }
 
 double strategy_button_width(const StrategyWords& words, double unit, const StageLetters& letters,

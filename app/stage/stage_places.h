@@ -162,7 +162,7 @@ struct StageFrameWords {
   SentenceWidths* widths = nullptr;  // of the picture before; null: all is measured anew
 };
 
-// Not below the numbers, nor Fit and Reset.
+// Not below the numbers, nor Fit and Reset, nor between them and the edge.
 bool is_in_sight(const StageLayout& layout, const Vector<2>& place);
 
 // How wide that button is, with its key and the strategy's shape before the words [points]. Pure.

@@ -327,7 +327,9 @@ TEST(AnyDeviceStage, ShowsTheContactLargeAndTheWholeDevice) {
     EXPECT_GT(points, 40.0) << name << ": the slide is seen";
     const auto has = [&](ScenePart part) {
       return std::ranges::any_of(picture.parts, [&](const StagePart& each) {
-        return each.placed.part == part && contains(picture.scene, each.place);
+        const ScreenBox& numbers = picture.numbers.value();
+        const bool is_beside_numbers = each.place.x > numbers.most.x || each.place.y > numbers.most.y;
+        return each.placed.part == part && contains(picture.scene, each.place) && is_beside_numbers;
       });
     };
     for (const PlacedPart& part : scene_parts(shown.settings, shown.moment.handle, 0.05)) EXPECT_TRUE(has(part.part));
