@@ -257,7 +257,7 @@ void Application::update(double interval_s) {
   follow_kiosk_visit_in_session(interval_s);
   if (shader_watch_ && shader_watch_->poll(screen_.painter(), clock_s_)) frames_to_settle_ = settling_frames;
   if (session_.notice) {
-    if (session_.notice->age_s == 0.0) ++notice_count_;
+    notice_count_ = notice_count();
     session_.notice->age_s += interval_s;
     if (!session_.notice->is_problem && session_.notice->age_s > news_last_s) {
       session_.notice.reset();

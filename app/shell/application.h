@@ -119,8 +119,8 @@ class Application {
 
   // Tells the person something at the next frame; in the visitor's mode, who stands at the terminal.
   void show_notice(std::string words, bool is_problem, std::string language = "en");
-  // How many have been shown; the same words once more count again.
-  std::uint64_t notice_count() const noexcept { return notice_count_; }
+  // How many there have been; the same words once more count again.
+  std::uint64_t notice_count() const noexcept { return notice_count_ + (has_new_notice() ? 1 : 0); }
 
   // The person sees a replay, which is as far as that. When it is over, they have the window to themselves.
   void show_replay_place(const ReplayPlace& place) noexcept {
@@ -205,14 +205,15 @@ class Application {
   void toggle_audience();
   void take_answer_of_chooser(std::vector<std::string>& dropped);
   const StageLanguage::Notices& notice_words() const { return stage_language(session_.language).notices; }
+  bool has_new_notice() const noexcept { return session_.notice && session_.notice->age_s == 0.0; }
   TickState<2> start_state();
 
   Window& window_;
   Session session_;
   UndoHistory undo_;
-  Effects effects_;  // that are still to be done
-  std::uint64_t notice_count_ = 0;
-  bool has_failed_ = false;  // of what is being done at the moment, something
+  Effects effects_;                 // that are still to be done
+  std::uint64_t notice_count_ = 0;  // before the last update
+  bool has_failed_ = false;         // of what is being done at the moment, something
   std::vector<InputEntry> inputs_;
   std::vector<InputChoice> input_choices_;
   const InputEntry* input_ = nullptr;  // in use
