@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>
@@ -70,8 +69,7 @@ void PageControls::show(Application& application, bool is_later) {
               {"text", css(theme.text)},
               {"field", css(theme.panel_field)},
               {"accent", css(theme.accent)}}}};
-  const std::uint64_t notices = application.notice_count();
-  if (std::exchange(notices_, notices) != notices && session.notice) json["has_new_notice"] = true;
+  if (session.notice) json["notice_count"] = application.notice_count();
   for (const StageControl& each : controls) json["controls"].push_back(json_of(each));
   std::string text = json.dump();
   if (text == shown_) return;

@@ -3,7 +3,6 @@
 // thread.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -28,7 +27,6 @@ class PageControls {
   SettledTexts texts_;
   std::string shown_;
   bool has_news_ = false;
-  std::uint64_t notices_ = 0;  // that have been shown
 };
 
 }  // namespace ghostforce

@@ -96,6 +96,7 @@ const toldKinds = ["told", "status", "alert"];
 const mostTold = 3;
 let news = [];
 let hasTold = false;
+let noticeCount = 0;  // of notices so far, the same words once more counted again
 
 function tellNews() {
   const isFirst = !hasTold;
@@ -192,7 +193,8 @@ function showControls(told) {
   }
   keepFocus(focused, round);
   const notice = told.controls.find((each) => each.id === "notice");
-  if (told.has_new_notice && !news.includes(notice)) news.push(notice);
+  if (notice && told.notice_count !== noticeCount && !news.includes(notice)) news.push(notice);
+  noticeCount = told.notice_count ?? noticeCount;
   tellNews();
 }
 
