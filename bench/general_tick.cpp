@@ -76,6 +76,12 @@ void compare_general(Report& report) {
   compare<WallsByHand<2>>("a corner", corner_settings(), Vector<2>(0.3, -1.0), 1000.0, report);
   Settings strings = string_settings();
   compare<StringsByHand>("two strings", strings, -direction_at(strings.wall_normal_angle), 1000.0, report);
+  report.note(
+      "General, by hand: written for one device and one kind of wall. With strings, the rival knows that there are two "
+      "that "
+      "only pull, and one wall; the loop tries the states of up to four motors with limits, before any wall. Closed "
+      "forms "
+      "for two motors and limits without roots gained nothing that could be measured.");
 }
 
 }  // namespace ghostforce::bench
