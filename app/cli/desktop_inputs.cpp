@@ -87,7 +87,7 @@ std::string refuse_other_than_usb_id(const std::string& text) {
       quoted_text(text), falcon_usb_id.vendor, falcon_usb_id.product);
 }
 
-void tell_of_left_pushing(const FalconSerial& serial) noexcept {
+void tell_of_left_pushing(const DeviceSerial& serial) noexcept {
   say("{}\n", left_pushing_words(serial));
 }
 

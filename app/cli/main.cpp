@@ -13,7 +13,7 @@
 #include "app/base/words.h"
 #include "app/cli/command.h"
 #include "app/files/output_file.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/motors/emergency_stop.h"
 
 namespace {
 

@@ -45,7 +45,7 @@
 #include "app/state/lesson_progress.h"
 #include "app/tools/doctor/diagnosis.h"
 #include "core/safety.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/motors/emergency_stop.h"
 #include "device/report/input_choice.h"
 #include "device/servo/realtime.h"
 #include "device/servo/servo_thread.h"

@@ -2,33 +2,20 @@
 
 #include <algorithm>
 #include <array>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "app/base/failure.h"
-#include "app/base/quoted.h"
-#include "app/files/input_file.h"
-#include "app/files/output_file.h"
+#include "app/files/calibration_folder.h"
 #include "app/files/toml_document.h"
-#include "app/files/xdg_folders.h"
 #include "core/conventions.h"
 
 namespace ghostforce {
 namespace {
 
-namespace fs = std::filesystem;
-
 // In the order of FalconAxis.
 constexpr std::array<std::string_view, 6> axis_words{"x", "-x", "y", "-y", "z", "-z"};
-
-// A serial number is part of a file's name.
-bool is_serial(std::string_view text) {
-  return !text.empty() && text.size() <= FalconSerial::longest && std::all_of(text.begin(), text.end(), [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '-' || c == '_';
-  });
-}
 
 // Into three numbers from `into` on. False: they are wrong, which has been told then.
 template <typename Number>
@@ -59,59 +46,14 @@ const GeometryPreset* preset_of(FalconGeometry geometry) {
   return nullptr;
 }
 
-struct CalibrationFile {
-  fs::path path;
-  FalconCalibration calibration;
-};
+constexpr std::string_view folder_of_falcons = "falcon";
 
-fs::path calibration_folder() {
-  const fs::path folder = config_folder();
-  return folder.empty() ? folder : folder / "falcon";
-}
-
-std::vector<CalibrationFile> read_all() {
-  const fs::path folder = calibration_folder();
-  std::error_code error;
-  if (folder.empty() || !fs::exists(folder, error)) return {};
-  std::vector<fs::path> paths = paths_in(folder, error);
-  if (error) {
-    throw ReadError(ReadError::Kind::unreadable, {{.file = "the folder " + quoted_text(folder.string(), longest_path),
-                                                   .what = "cannot be read: " + error.message(),
-                                                   .remedy = "check its permissions",
-                                                   .joint = " "}});
-  }
-  std::erase_if(paths, [](const fs::path& path) { return path.extension() != ".toml"; });
-
-  std::vector<CalibrationFile> files;
-  std::vector<ReadProblem> problems;
-  for (const fs::path& path : paths) {
-    const std::string shown = quoted_text(path.string(), longest_path);
-    if (const std::string_view kind = kind_instead_of_file(path); !kind.empty()) {
-      problems.push_back({.file = shown,
-                          .what = fmt::format("is {}, but a calibration must be a file", kind),
-                          .remedy = "remove it",
-                          .joint = " "});
-      continue;
-    }
-    const FileContents file = file_contents(path);
-    if (file.error != 0) throw unreadable(shown, file.error);
-    try {
-      files.push_back({path, read_falcon_calibration(file.text, path.string())});
-    } catch (const ReadError& wrong) {
-      problems.insert(problems.end(), wrong.problems().begin(), wrong.problems().end());
-      continue;
-    }
-    const auto serial_of = [](const CalibrationFile& each) { return each.calibration.serial; };
-    const auto twin = std::ranges::find(files, serial_of(files.back()), serial_of);
-    if (&*twin != &files.back()) {
-      problems.push_back({.file = shown,
-                          .what = "is for the same device as " + quoted_text(twin->path.string(), longest_path),
-                          .remedy = "remove one",
-                          .joint = " "});
-    }
-  }
-  if (!problems.empty()) throw ReadError(ReadError::Kind::wrong, problems);
-  return files;
+// Into the list.
+ReadCalibration falcons_into(std::vector<FalconCalibration>& calibrations) {
+  return [&calibrations](std::string_view text, std::string_view shown_path) {
+    calibrations.push_back(read_falcon_calibration(text, shown_path));
+    return calibrations.back().serial;
+  };
 }
 
 }  // namespace
@@ -128,16 +70,7 @@ FalconCalibration read_falcon_calibration(std::string_view text, std::string_vie
   };
   const std::vector<TomlKey> keys{
       {"", "format", nullptr},
-      {"", "serial",
-       [&](const TomlValue& value) {
-         const auto serial = value.text();
-         if (serial && is_serial(*serial)) {
-           calibration.serial = *FalconSerial::from(*serial);
-         } else if (serial) {
-           value.refuse(fmt::format("'{}' is not a serial number", quoted_text(*serial)),
-                        fmt::format("give 1 to {} letters, digits, '-' or '_'", FalconSerial::longest));
-         }
-       },
+      {"", "serial", serial_into(calibration.serial),
        "give the device's serial number, which `ghostforce doctor` shows"},
       {"", "geometry",
        catalog_entry(geometry_catalog(),
@@ -201,36 +134,16 @@ std::string falcon_calibration_text(const FalconCalibration& calibration) {
 
 std::vector<FalconCalibration> load_falcon_calibrations() {
   std::vector<FalconCalibration> calibrations;
-  for (const CalibrationFile& file : read_all()) calibrations.push_back(file.calibration);
+  read_calibrations(folder_of_falcons, falcons_into(calibrations));
   return calibrations;
 }
 
-fs::path save_falcon_calibration(const FalconCalibration& calibration) {
+std::filesystem::path save_falcon_calibration(const FalconCalibration& calibration) {
   const std::string_view serial = calibration.serial.text();
-  if (!is_serial(serial)) {
-    throw Failure(
-        ExitCode::wrong_call,
-        fmt::format("'{}' is not a serial number that a calibration could be kept under", quoted_text(serial)));
-  }
-  const std::string text = falcon_calibration_text(calibration);
-  const fs::path folder = calibration_folder();
-  if (folder.empty()) {
-    throw Failure(ExitCode::file_trouble, "there is no home folder for a calibration; set HOME or XDG_CONFIG_HOME");
-  }
-  fs::path path = folder / (std::string(serial) + ".toml");
-  for (const CalibrationFile& file : read_all()) {
-    if (file.calibration.serial == calibration.serial) path = file.path;
-  }
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) {
-    throw Failure(ExitCode::file_trouble, fmt::format("the folder {} for calibrations cannot be created: {}",
-                                                      quoted_text(folder.string(), longest_path), error.message()));
-  }
-  OutputFile output(path.string());
-  output.write(text);
-  output.commit();
-  return path;
+  expect_serial(serial);
+  std::vector<FalconCalibration> kept;
+  return save_calibration(folder_of_falcons, calibration.serial, serial, falcon_calibration_text(calibration),
+                          falcons_into(kept));
 }
 
 }  // namespace ghostforce

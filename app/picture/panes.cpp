@@ -45,7 +45,8 @@ Pane compose_pane(const PictureContent& content, const Settings& settings, const
                         .is_pane = frame.is_pane,
                         .has_scales = frame.has_scales,
                         .turn_s = content.turn_s,
-                        .target = content.target},
+                        .target = content.target,
+                        .linkage = content.linkage},
                        memory, interval_s, std::move(earlier));
   return pane;
 }

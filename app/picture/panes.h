@@ -43,6 +43,7 @@ struct PictureContent {
   bool is_goal_hot = false;
   std::optional<double> turn_s{};
   std::optional<Vector<2>> target{};
+  std::optional<LinkagePose> linkage{};  // of a real device
 };
 
 // `memory`, `interval_s` and `earlier`: as compose() has them.

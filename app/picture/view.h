@@ -12,6 +12,7 @@
 #include "app/picture/marks.h"
 #include "app/picture/theme.h"
 #include "app/picture/trail_history.h"
+#include "core/mechanism.h"
 #include "core/settings.h"
 #include "core/snapshot.h"
 
@@ -59,13 +60,14 @@ struct View {
   double scale;              // UI scale, 1 is normal
   double points_per_newton;  // of arrows; the same in all that is to be compared
   const MeasureText& measure;
-  bool has_handles = false;           // a person can turn wall and motor axis here
-  Handle hovered = Handle::none;      // the one under the pointer
-  bool is_goal_hot = false;           // a hint speaks of it
-  bool is_pane = false;               // one of several: its title says which, and no legend is needed
-  bool has_scales = true;             // of several panes, one shows the scale bars
-  std::optional<double> turn_s{};     // of the circle test, once there is a turn to show
-  std::optional<Vector<2>> target{};  // on the wall, for the hand at a device to aim at [m]
+  bool has_handles = false;              // a person can turn wall and motor axis here
+  Handle hovered = Handle::none;         // the one under the pointer
+  bool is_goal_hot = false;              // a hint speaks of it
+  bool is_pane = false;                  // one of several: its title says which, and no legend is needed
+  bool has_scales = true;                // of several panes, one shows the scale bars
+  std::optional<double> turn_s{};        // of the circle test, once there is a turn to show
+  std::optional<Vector<2>> target{};     // on the wall, for the hand at a device to aim at [m]
+  std::optional<LinkagePose> linkage{};  // of a real device; empty: the settings say what there is
 
   bool shows(StrategyId id) const noexcept { return options.compare == Compare::overlay || id == settings.active; }
   bool in_front(StrategyId id) const noexcept { return id == settings.active; }

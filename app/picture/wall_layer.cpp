@@ -58,9 +58,9 @@ void add_shaped_wall(const View& view, Marks& marks) {
 }  // namespace
 
 void add_mechanism(const View& view, Marks& marks) {
-  if (view.settings.general.mechanism == MechanismKind::axes) return;
+  if (!view.linkage && view.settings.general.mechanism == MechanismKind::axes) return;
   const Vector<2>& handle = view.snapshot.strategies[index_of(view.settings.active)].device;
-  const LinkagePose pose = nearest_pose(mechanism_of(view.settings), handle);
+  const LinkagePose pose = view.linkage ? *view.linkage : nearest_pose(mechanism_of(view.settings), handle);
   const Colour grey = mix(view.theme.wall, view.theme.wall_edge, 0.5);
   for (std::size_t i = 0; i < pose.link_count; ++i) {
     const LinkagePose::Link& link = pose.links[i];

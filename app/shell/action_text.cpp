@@ -65,8 +65,9 @@ constexpr std::array action_rows = table_of(
     action_kind<NudgeSlider>("nudge-slider", line_field<&NudgeSlider::hundredths>("hundredths")),
     action_kind<LeaveLesson>("leave-lesson"), action_kind<NextLanguage>("next-language"),
     // Motors
-    action_kind<ArmMotors>("arm-motors"), action_kind<StopMotors>("stop-motors"),
-    action_kind<AcknowledgeOff>("acknowledge-off"), action_kind<Escape>("escape"),
+    action_kind<ArmMotors>("arm-motors"), action_kind<ConfirmZeroPose>("confirm-zero-pose"),
+    action_kind<StopMotors>("stop-motors"), action_kind<AcknowledgeOff>("acknowledge-off"),
+    action_kind<Escape>("escape"),
     // View and window
     action_kind<NextCompareMode>("next-compare-mode"),
     action_kind<ToggleViewOption>("toggle-view-option", line_field<&ToggleViewOption::option>("option")),

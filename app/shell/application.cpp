@@ -251,6 +251,10 @@ void Application::update(double interval_s) {
   session_.time_s = report_.snapshot.time_s;
   follow_measurement(session_, report_.snapshot, report_.motors);
   session_.has_motors = report_.motors.has_motors;
+  // The device says where its motor's line is: that is neither sent back nor undone.
+  session_.motor_line_turns = report_.motors.line_turns;
+  if (session_.motor_line_turns)
+    session_.settings.actuated_angle = sent_settings_.actuated_angle = report_.motors.line_angle;
   session_.motors_may_push = report_.motors.has_motors && report_.motors.state != SafetyState::off;
   follow_stiffness_probe(session_, report_.snapshot, report_.motors, report_.hand);
   follow_lesson_in_session(interval_s);

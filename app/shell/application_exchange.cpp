@@ -199,6 +199,7 @@ UndoState Application::undo_state() const {
                   .view = session_.shown,
                   .face = session_.face,
                   .mode = session_.stage.mode};
+  if (session_.motor_line_turns) state.settings.actuated_angle = session_.scene->settings.actuated_angle;
   if (session_.lesson) {
     // It goes as it has come, and leaves nothing to undo.
     const LessonState::Before& before = session_.lesson->before;

@@ -181,7 +181,8 @@ PictureContent Workbench::content_of(const Session& session, const ShownMoment& 
           .arrow_scale = session.appearance.arrow_scale,
           .measure = measure,
           .turn_s = turn_to_show(loop),
-          .target = target_of(session, loop.motors)};
+          .target = target_of(session, loop.motors),
+          .linkage = moment.is_past ? std::nullopt : loop.motors.linkage};
 }
 
 std::vector<Pane> Workbench::panes_for_file(const Session& session, const ShownMoment& moment, const History& history,

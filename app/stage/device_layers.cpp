@@ -100,6 +100,14 @@ void add_slack_string(StageCanvas& canvas, const Vector<2>& from, const Vector<2
   for (int i = 0; i < pieces; i += 2) canvas.line(Role::linkage, place(i), place(i + 1), canvas.width(2.5), colour);
 }
 
+bool has_device(const StageContent& content) {
+  return content.linkage || content.settings.general.mechanism != MechanismKind::axes;
+}
+
+LinkagePose device_pose(const StageContent& content) {
+  return content.linkage ? *content.linkage : nearest_pose(mechanism_of(content.settings), content.moment.handle);
+}
+
 // `size`: of what does not depend on the view.
 void add_strings(const StageLayer& layer, const LinkagePose& pose, double size, const auto& at) {
   const auto& [content, layout, canvas] = layer;
@@ -152,7 +160,7 @@ void add_links(const StageLayer& layer, const LinkagePose& pose, double size, co
 }
 
 void add_device(const StageLayer& layer, const LinkagePose& pose, double size, const auto& at) {
-  has_joints(layer.content.settings) ? add_links(layer, pose, size, at) : add_strings(layer, pose, size, at);
+  pose.links[0].is_string ? add_strings(layer, pose, size, at) : add_links(layer, pose, size, at);
 }
 
 // How far the hand yields to a force, whichever way it comes from.
@@ -212,6 +220,17 @@ std::optional<Vector<2>> grip_of_circle(const StageLayer& layer, const ScreenBox
 
 }  // namespace
 
+namespace {
+
+// Of a real device, the joints with motors: a press chooses the one that pushes alone.
+std::vector<PlacedPart> placed_parts(const StageContent& content, double farthest) {
+  if (!content.linkage) return scene_parts(content.settings, content.moment.handle, farthest);
+  return {{ScenePart::left_base, content.linkage->joints[0], true, true},
+          {ScenePart::right_base, content.linkage->joints[1], true, true}};
+}
+
+}  // namespace
+
 std::vector<StagePart> stage_parts(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   // Of a wall as far from its corner as it can be seen.
@@ -219,7 +238,7 @@ std::vector<StagePart> stage_parts(const StageLayer& layer) {
   const ScreenBox room = layout.scene().grown(-canvas.points(from_edges));
   const double farthest = 0.3 * glm::length(layout.size) / canvas.camera.points_per_metre;
   std::vector<StagePart> parts;
-  for (PlacedPart part : scene_parts(content.settings, content.moment.handle, farthest)) {
+  for (PlacedPart part : placed_parts(content, farthest)) {
     const bool is_turned = part.part == ScenePart::first_wall || part.part == ScenePart::second_wall;
     for (double share = 0.9; is_turned && share > 0.3 && !contains(room, canvas.at(part.at)); share -= 0.1) {
       const Vector<2> way = part.at - content.settings.wall_point;
@@ -288,8 +307,8 @@ void add_edge_in(const StageLayer& layer, const DeviceInset& part, Role role, do
 
 void add_device_inset(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
-  if (content.settings.general.mechanism == MechanismKind::axes || content.is_bare) return;
-  const LinkagePose pose = nearest_pose(mechanism_of(content.settings), content.moment.handle);
+  if (!has_device(content) || content.is_bare) return;
+  const LinkagePose pose = device_pose(content);
   const std::span<const Vector<2>> joints(pose.joints.data(), pose.joint_count);
   const auto is_seen = [&](const Vector<2>& joint) { return is_in_sight(layout, canvas.at(joint)); };
   if (std::ranges::all_of(joints, is_seen)) return;
@@ -321,10 +340,9 @@ void add_device_inset(const StageLayer& layer) {
 }
 
 void add_mechanism(const StageLayer& layer) {
-  const StageContent& content = layer.content;
   add_hand_ellipse(layer);
-  if (content.settings.general.mechanism == MechanismKind::axes) return;
-  const LinkagePose pose = nearest_pose(mechanism_of(content.settings), content.moment.handle);
+  if (!has_device(layer.content)) return;
+  const LinkagePose pose = device_pose(layer.content);
   add_device(layer, pose, 1.0, [&](const Vector<2>& place) { return layer.canvas.at(place); });
 }
 

@@ -20,6 +20,7 @@
 #include "app/state/stage_language.h"
 #include "app/state/stage_moment.h"
 #include "core/loop_energy.h"
+#include "core/mechanism.h"
 
 namespace ghostforce {
 
@@ -86,6 +87,7 @@ struct StageContent {
   bool may_turn_wall = false;
   bool may_move_parts = false;              // of a general scene: the ends of its device and its walls
   std::optional<ScenePart> hovered_part{};  // with hovered_grip part
+  std::optional<LinkagePose> linkage{};     // of a real device; empty: the settings say what there is
   StageGuess guess{};
   int why_step = 0;
   std::optional<StageRound> round{};

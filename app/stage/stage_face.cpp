@@ -156,6 +156,9 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
                                : filled(words.motors_may_still_push, front_keys().device_status.shown);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
+  if (loop.motors.waits_for_zero_pose && !session.kiosk_visit) {
+    return filled(words.zero_pose, front_keys().device_status.shown);
+  }
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
                                : filled(words.device_not_ready, front_keys().device_status.shown);
@@ -273,6 +276,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.measuring = measuring_content(session);
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
+  if (!frame.shown.is_past) content.linkage = frame.loop.motors.linkage;
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;
@@ -325,7 +329,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.shows_menu = session.stage.shows_menu;
   content.may_turn_motor = session.has_handles && !permit(session, TurnMotorTo{});
   content.may_turn_wall = session.has_handles && !permit(session, TurnWallTo{});
-  content.may_move_parts = session.has_handles && is_general(session.settings) &&
+  content.may_move_parts = session.has_handles && (is_general(session.settings) || content.linkage) &&
                            session.stage.mode != StageMode::why && !content.hides.handle;
   content.hovered_part = pointer_.hovered_part();
   content.widths = &widths_;

@@ -129,6 +129,8 @@ struct NextLanguage {};
 // --- Motors ---
 
 struct ArmMotors {};
+// The arms of a device without a home of its own are where they count from, and held still there.
+struct ConfirmZeroPose {};
 struct StopMotors {};
 struct AcknowledgeOff {};  // why they went off has been read
 // Esc: motors off before all else; then what is open is closed.
@@ -293,21 +295,20 @@ using Effect = std::variant<Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, 
                             ShowLink, ShowControls, StartRecording, StopRecording, ResetPreferences>;
 using Effects = std::vector<Effect>;
 
-using AnyAction =
-    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint,
-                 TurnMotorBy, TurnWallToLargestDrift, MovePart, SwitchMotor, TurnRatio, ChooseStrategy, ChooseByNumber,
-                 TurnLandscapeDial, TogglePause, StepBack, StepOn, LookBackTo, Restart, ShowFace, SwitchFace,
-                 ToggleMode, MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank,
-                 ToggleMenu, ToggleNumbers, AnswerLesson, MoveSliderTo, NudgeSlider, LeaveLesson, NextLanguage,
-                 ArmMotors, StopMotors, AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView,
-                 MoveView, PanView, TogglePlots, NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog,
-                 ChooseInput, HoldControl, ChangeSpeed, ChangeViewOptions, ChangeAppearance, ChangeMotion,
-                 FollowSystemMotion, ChangePlots, ChangeSafety, ChangeSpaceMouse, ChooseLanguage, SwitchSpeech,
-                 InjectFault, AimAtTarget, ChangeStiffnesses, Believe, StartMeasuring, TakeReading, CancelMeasuring,
-                 RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest,
-                 ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, ToggleAudience, Undo, Redo,
-                 OpenScene, OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues,
-                 CopySetUp, PasteSetUp, ShowLink, ShowControls, StartRecording, StopRecording, ResetPreferences>;
+using AnyAction = std::variant<
+    MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnMotorBy,
+    TurnWallToLargestDrift, MovePart, SwitchMotor, TurnRatio, ChooseStrategy, ChooseByNumber, TurnLandscapeDial,
+    TogglePause, StepBack, StepOn, LookBackTo, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
+    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers, AnswerLesson,
+    MoveSliderTo, NudgeSlider, LeaveLesson, NextLanguage, ArmMotors, ConfirmZeroPose, StopMotors, AcknowledgeOff,
+    Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, MoveView, PanView, TogglePlots, NextTheme,
+    ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, HoldControl, ChangeSpeed,
+    ChangeViewOptions, ChangeAppearance, ChangeMotion, FollowSystemMotion, ChangePlots, ChangeSafety, ChangeSpaceMouse,
+    ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
+    CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest,
+    ForgetLessons, CloseDialog, CloseNotice, HideHints, Quit, ToggleFullScreen, ToggleAudience, Undo, Redo, OpenScene,
+    OpenLesson, DropFiles, SaveScene, SavePicture, SaveClip, SavePlots, CopyPicture, CopyValues, CopySetUp, PasteSetUp,
+    ShowLink, ShowControls, StartRecording, StopRecording, ResetPreferences>;
 
 template <typename T, typename Variant>
 inline constexpr bool is_one_of = false;

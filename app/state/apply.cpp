@@ -90,7 +90,11 @@ void act(Session& session, const MovePart& action) {
 }
 
 void act(Session& session, const SwitchMotor&) {
-  session.settings = with_other_motor(session.settings);
+  if (session.motor_line_turns) {
+    session.device_motor = 1 - session.device_motor;
+  } else {
+    session.settings = with_other_motor(session.settings);
+  }
 }
 
 void act(Session& session, const TurnRatio& action) {
@@ -260,6 +264,10 @@ void act(Session& session, const NextLanguage&) {
 
 void act(Session& session, const ArmMotors&) {
   ++session.arms_asked;
+}
+
+void act(Session& session, const ConfirmZeroPose&) {
+  ++session.zero_poses_confirmed;
 }
 
 void act(Session& session, const StopMotors&) {

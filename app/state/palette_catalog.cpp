@@ -59,6 +59,10 @@ std::string why_not(const Circumstances& now, const ArmMotors&) {
   return filled(now.language.warnings.device_not_ready, status_key);
 }
 
+std::string why_not(const Circumstances& now, const ConfirmZeroPose&) {
+  return refuse_unless(now.loop.motors.waits_for_zero_pose, now.language.refusals.no_zero_pose);
+}
+
 std::string why_not(const Circumstances& now, const AcknowledgeOff&) {
   return refuse_unless(is_on_motor_button<AcknowledgeOff>(now.loop.motors), now.language.refusals.nothing_to_dismiss);
 }
@@ -135,6 +139,7 @@ void add_motors(Entries& entries) {
   entries.group = ActionGroup::devices;
   entries.add(&Name::stop_motors, StopMotors{});
   entries.add(&Name::arm_motors, ArmMotors{});
+  entries.add(&Name::confirm_zero_pose, ConfirmZeroPose{});
   entries.add(&Name::dismiss_off, AcknowledgeOff{});
 }
 

@@ -25,13 +25,16 @@ constexpr Refusal measurement_sets_it{&Why::measurement_sets_it};
 constexpr Refusal curves_are_hidden{&Why::curves_are_hidden, true, true};
 constexpr Refusal measures_otherwise{&Why::measures_otherwise, true};
 constexpr Refusal not_with_this_device{&Why::not_with_this_device, true};
+constexpr Refusal tones_need_one_line{&Why::tones_need_one_line, true};
+constexpr Refusal line_follows_handle{&Why::line_follows_handle, true};
 
 // A visitor has no way to files, settings or the window.
-using ForVisitors = std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, MovePart,
-                                 SwitchMotor, GoToLandscapePoint, TurnLandscapeDial, LookBackTo, MoveSliderTo,
-                                 NudgeSlider, TurnMotorBy, ChooseStrategy, ChooseByNumber, PressMeasuringButton,
-                                 Confirm, GoOn, NextStep, PreviousStep, AnswerLesson, NextLanguage, ArmMotors,
-                                 StopMotors, AcknowledgeOff, Escape, HoldControl, FollowSystemMotion, Quit>;
+using ForVisitors =
+    std::variant<MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, MovePart, SwitchMotor,
+                 GoToLandscapePoint, TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider, TurnMotorBy,
+                 ChooseStrategy, ChooseByNumber, PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep,
+                 AnswerLesson, NextLanguage, ArmMotors, ConfirmZeroPose, StopMotors, AcknowledgeOff, Escape,
+                 HoldControl, FollowSystemMotion, Quit>;
 
 // A lesson tells its own time, says which mode is on and what moves the hand, and leaves nothing to undo.
 using LeftToLesson = std::variant<TurnRatio, TogglePause, StepBack, StepOn, ShowFace, SwitchFace, ToggleMode,
@@ -58,11 +61,13 @@ Permission permit_paper(const Session& session) {
 // The mode would show what a blind measurement hides.
 Permission permit_probe(const Session& session) {
   if (const auto refusal = permit_paper(session)) return refusal;
+  if (session.motor_line_turns) return tones_need_one_line;
   return refuse_unless(!is_measuring(session) && !hides_answer(session), measures_otherwise);
 }
 
 // One direction, wherever the handle is.
 Permission permit_motor(const Session& session) {
+  if (session.motor_line_turns) return line_follows_handle;
   if (session.settings.general.mechanism != MechanismKind::axes) return not_with_this_device;
   return permit_control(session, LessonControl::motor);
 }
@@ -138,7 +143,7 @@ Permission permit_kind(const Session& session, const MovePart& action) {
 }
 
 Permission permit_kind(const Session& session, const SwitchMotor&) {
-  if (!has_joints(session.settings)) return not_with_this_device;
+  if (!session.motor_line_turns && !has_joints(session.settings)) return not_with_this_device;
   return permit_control(session, LessonControl::motor);
 }
 

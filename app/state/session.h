@@ -297,9 +297,12 @@ struct Session {
   bool hand_is_simulated = false;      // though that input has motors
   bool has_motors = false;             // that input
   bool motors_may_push = false;        // its motors; Esc turns them off and does nothing else
-  std::string recording_path;          // in the panel's field; empty: a name is proposed when recording begins
-  bool has_handles = false;            // there is a person who can take hold of wall and motor axis
-  std::optional<std::size_t> hint;     // offered to somebody who is new here: the number of it in hint_catalog()
+  bool motor_line_turns = false;       // the line of its motor turns with the handle: the device says where it is
+  std::uint32_t zero_poses_confirmed = 0;  // how often a person has said that the device's arms are in their zero pose
+  std::size_t device_motor = 0;            // of a device with two, the one that pushes alone, 0 or 1
+  std::string recording_path;              // in the panel's field; empty: a name is proposed when recording begins
+  bool has_handles = false;                // there is a person who can take hold of wall and motor axis
+  std::optional<std::size_t> hint;         // offered to somebody who is new here: the number of it in hint_catalog()
   Dialog dialog = Dialog::none;
   Form form;
   std::optional<Notice> notice;

@@ -12,6 +12,7 @@ std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& m
       if (motors.may_still_push) return all.may_still_push;
       if (motors.reason == OffReason::key) return all.off_by_key;
       if (motors.reason != OffReason::none) return all.off;
+      if (motors.waits_for_zero_pose) return all.zero_pose;
       return motors.is_ready ? all.arm : all.not_ready;
     case SafetyState::arming:
       return motors.has_focus ? all.arming : all.arming_without_keys;
@@ -93,6 +94,7 @@ std::optional<Action> action_of_motor_button(const MotorReport& motors) {
   // For a moment, so that a press in haste does not arm what another one has just turned off.
   if (motors.reason == OffReason::key) return std::nullopt;
   if (motors.reason != OffReason::none) return AcknowledgeOff{};
+  if (motors.waits_for_zero_pose) return ConfirmZeroPose{};
   if (motors.is_ready) return ArmMotors{};
   return OpenDialog{Dialog::doctor};
 }

@@ -12,38 +12,9 @@
 
 #include "core/conventions.h"
 #include "device/falcon/kinematics.h"
+#include "device/motors/device_serial.h"
 
 namespace ghostforce {
-
-// The number that distinguishes a device from others of its kind; 8 characters in all that were seen.
-class FalconSerial {
- public:
-  static constexpr std::size_t longest = 31;
-
-  FalconSerial() = default;
-
-  // Empty: too long.
-  static constexpr std::optional<FalconSerial> from(std::string_view text) noexcept {
-    if (text.size() > longest) return std::nullopt;
-    FalconSerial serial;
-    std::copy(text.begin(), text.end(), serial.letters_.begin());
-    serial.size_ = static_cast<std::uint8_t>(text.size());
-    return serial;
-  }
-
-  constexpr std::string_view text() const noexcept { return {letters_.data(), size_}; }
-
-  friend bool operator==(const FalconSerial&, const FalconSerial&) = default;
-
- private:
-  std::array<char, longest> letters_{};
-  std::uint8_t size_ = 0;
-};
-
-// As a device is known by what it says; one whose number is too long is known as one without.
-constexpr FalconSerial falcon_serial_of(std::string_view text) noexcept {
-  return FalconSerial::from(text).value_or(FalconSerial());
-}
 
 // Motor counts per N·m at an upper arm. Three were published and they disagree: from captures of the vendor's driver,
 // from Martin & Hillier's measurement of the motors, and from libnifalcon's comparison with the vendor's driver
@@ -103,7 +74,7 @@ inline Vector<3> in_leg_order(const Vector<3>& frame, const LegNumbers& number_o
 inline constexpr Vector<3> workspace_center{0.0, 0.0, 0.125};
 
 struct FalconCalibration {
-  FalconSerial serial;  // empty: of any device
+  DeviceSerial serial;  // empty: of any device
   FalconGeometry geometry;
   double counts_per_newton_metre = measured_motor_constant;
   Vector<3> motor_strengths{1.0};  // of each leg's motor: its torque per count beside that of the constant above
@@ -119,7 +90,7 @@ struct FalconCalibration {
 };
 
 // The one of this device; the default where there is none.
-inline FalconCalibration calibration_of(const FalconSerial& serial,
+inline FalconCalibration calibration_of(const DeviceSerial& serial,
                                         std::span<const FalconCalibration> calibrations) noexcept {
   const auto known = std::ranges::find(calibrations, serial, &FalconCalibration::serial);
   return known == calibrations.end() ? FalconCalibration{} : *known;

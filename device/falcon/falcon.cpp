@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "device/falcon/emergency_stop.h"
 #include "device/falcon/link_setup.h"
+#include "device/motors/emergency_stop.h"
 
 namespace ghostforce {
 namespace {
@@ -55,7 +55,8 @@ bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexce
 }  // namespace
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
-    : opener_(std::move(link)),
+    : link_(*link),
+      opener_(std::move(link)),
       options_(with_debts(std::move(options))),
       debts_(*options_.debts),
       kinematics_(calibration_.geometry),
@@ -132,7 +133,7 @@ void Falcon::opened(LinkFault fault) noexcept {
   if (fault != LinkFault::none) return end(fault_of(fault));
   emergency_stop::watch(&link());
   report_.is_guarded = link().is_guarded();
-  const FalconSerial before = std::exchange(report_.serial, falcon_serial_of(link().serial()));
+  const DeviceSerial before = std::exchange(report_.serial, device_serial_of(link().serial()));
   if (before != report_.serial) {
     attempt_ = 0;
     has_answered_ = false;

@@ -28,9 +28,10 @@
 #include "device/falcon/falcon_report.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/kinematics.h"
-#include "device/falcon/link_opener.h"
 #include "device/falcon/link_script.h"
-#include "device/falcon/stop_debts.h"
+#include "device/motors/link_opener.h"
+#include "device/motors/reply_matcher.h"
+#include "device/motors/stop_debts.h"
 
 namespace ghostforce {
 
@@ -43,7 +44,7 @@ struct FalconOptions {
   std::shared_ptr<StopDebts> debts{};
   // The driver ends, and this device, a real one, has not answered a stop: it may still push. On the thread that ends the
   // driver; null: nobody wants to hear of it.
-  void (*when_left_pushing)(const FalconSerial& serial) noexcept = nullptr;
+  void (*when_left_pushing)(const DeviceSerial& serial) noexcept = nullptr;
 };
 
 class Falcon {
@@ -92,7 +93,7 @@ class Falcon {
   bool is_waiting_for_reply() const noexcept { return is_exchanging() && replies_.is_waiting(); }
   // Lets the device work until then; returns sooner when something has happened, or the motors are to be told to stop.
   void wait_until(std::int64_t deadline_ns) noexcept;
-  FalconLink& link() const noexcept { return opener_.link(); }
+  FalconLink& link() const noexcept { return link_; }
   // For who drives the motors without this driver, while nobody calls update(): afterwards the device has to answer a
   // zero, or it is owed one.
   FalconLink& lend_link() noexcept {
@@ -136,6 +137,7 @@ class Falcon {
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
 
+  FalconLink& link_;  // the opener's
   LinkOpener opener_;
   FalconOptions options_;
   StopDebts& debts_;  // the options'
@@ -147,7 +149,7 @@ class Falcon {
   std::int64_t phase_began_ns_ = 0;
   double pause_s_ = 0.0;        // until the next look
   int attempt_ = 0;             // to load the firmware
-  FalconSerial in_use_;         // the last one that was opened to be used
+  DeviceSerial in_use_;         // the last one that was opened to be used
   bool is_only_owed_ = false;   // this one is open for its stop alone
   std::int64_t looked_ns_ = 0;  // for one that is owed a stop, while another is in use
   bool may_have_firmware_ = true;

@@ -40,21 +40,11 @@ FalconInput::FalconInput(std::unique_ptr<FalconLink> link, FalconOptions options
     : falcon_(std::move(link), std::move(options)), view_center_(view_center) {}
 
 void FalconInput::restart(const Vector<2>& goal) noexcept {
-  goal_ = goal;
-  approach_ = 0.0;
+  goal_.restart(goal);
 }
 
 Vector<2> FalconInput::goal(std::int64_t /*tick*/, double rate) noexcept {
-  if (!reading_.is_known) {
-    approach_ = 0.0;
-    return goal_;
-  }
-  // The rest of the way shrinks to nothing as the share that is gone grows to all.
-  const double before = approach_;
-  approach_ = std::min(1.0, approach_ + 1.0 / (approach_s * rate));
-  goal_ = before < 1.0 ? glm::mix(goal_, reading_.position, (approach_ - before) / (1.0 - before)) : reading_.position;
-  goal_ = nearest_in_scene(goal_);
-  return goal_;
+  return reading_.is_known ? goal_.next(reading_.position, rate) : goal_.waiting();
 }
 
 void FalconInput::wait_until(std::int64_t deadline_ns) noexcept {
@@ -74,12 +64,12 @@ HandleReading FalconInput::read() noexcept {
   reading_.is_known = report.is_readable() && age_s <= longest_known_s;
   reading_.time_ns = falcon_.position_time_ns();
   if (reading_.is_known) {
-    note({report.position, falcon_.position_heard_ns()});
+    speed_.add(report.position, falcon_.position_heard_ns());
     reading_.position = plane().in_scene(report.position);
   } else {
-    place_count_ = 0;
+    speed_.forget();
   }
-  reading_.speed = speed();
+  reading_.speed = speed_.value();
   reading_.deadman_held = report.buttons != 0;
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
@@ -172,21 +162,6 @@ void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
     on_handle = glm::dot(force, along) / glm::dot(along, along) * pushed_way_;
   }
   falcon_.set_force(on_handle, is_armed);
-}
-
-void FalconInput::note(const Place& place) noexcept {
-  const std::size_t last = (next_place_ + speed_readings - 1) % speed_readings;
-  if (place_count_ > 0 && places_[last].time_ns == place.time_ns) return;  // no news
-  places_[next_place_] = place;
-  next_place_ = (next_place_ + 1) % speed_readings;
-  place_count_ = std::min(place_count_ + 1, speed_readings);
-}
-
-double FalconInput::speed() const noexcept {
-  if (place_count_ < speed_readings) return 0.0;
-  const Place& oldest = places_[next_place_];
-  const Place& newest = places_[(next_place_ + speed_readings - 1) % speed_readings];
-  return glm::length(newest.position - oldest.position) / (static_cast<double>(newest.time_ns - oldest.time_ns) * 1e-9);
 }
 
 double FalconInput::force_uncertainty() const noexcept {

@@ -15,10 +15,11 @@
 #include "core/latest_value.h"
 #include "core/motor_heat.h"
 #include "device/falcon/calibration.h"
-#include "device/falcon/encoder_watch.h"
 #include "device/falcon/falcon.h"
-#include "device/falcon/motor_check.h"
 #include "device/input/input.h"
+#include "device/motors/encoder_watch.h"
+#include "device/motors/handle_motion.h"
+#include "device/motors/motor_check.h"
 
 namespace ghostforce {
 
@@ -72,11 +73,6 @@ class FalconPlane {
 
 class FalconInput : public Input, public HapticDevice {
  public:
-  // When the handle is found, the goal moves there in this time and does not jump [s].
-  static constexpr double approach_s = 0.5;
-  // The speed of the handle is computed over this many readings: over one, a single count would be 5 cm/s.
-  static constexpr std::size_t speed_readings = 8;
-
   // `view_center`: what lies in the middle of the workspace [m].
   FalconInput(std::unique_ptr<FalconLink> link, FalconOptions options, const Vector<2>& view_center);
 
@@ -101,25 +97,16 @@ class FalconInput : public Input, public HapticDevice {
   FalconPlane plane() const noexcept { return {falcon_.calibration(), view_center_}; }
 
  private:
-  struct Place {
-    Vector<3> position{0.0};
-    std::int64_t time_ns = 0;
-  };
-
-  double speed() const noexcept;
   void check() noexcept;
   void probe() noexcept;
   void estimate_heat(std::int64_t now_ns) noexcept;
   std::optional<Vector<3>> way_of_leg(std::size_t leg) const noexcept;
-  void note(const Place& place) noexcept;
 
   Falcon falcon_;
   Vector<2> view_center_;
   LatestValue<FalconReport> reports_{falcon_.report()};
   HandleReading reading_;
-  std::array<Place, speed_readings> places_{};  // a ring
-  std::size_t next_place_ = 0;
-  std::size_t place_count_ = 0;
+  HandleSpeed<3> speed_;
   MotorCheck motor_check_;
   EncoderWatch encoder_watch_;
   std::int64_t checked_ns_ = 0;      // the newest reply that they have seen
@@ -129,8 +116,7 @@ class FalconInput : public Input, public HapticDevice {
   Vector<2> standing_{0.0};    // sent last, without the probe [N]
   Vector<2> asked_way_{0.0};   // that of the force that stood when encoders were asked [1]
   Vector<3> pushed_way_{0.0};  // of the leg whose motor is checked [1]
-  Vector<2> goal_{0.0};
-  double approach_ = 0.0;  // how much of the way to the handle the goal has gone, 0 … 1
+  HandleGoal goal_;
 };
 
 }  // namespace ghostforce

@@ -2,18 +2,16 @@
 // set the chip up, bytes out, bytes in. The real one is libusb's (ftdi_link.h), the other one is this program's own end
 // of the protocol (device/virtual_falcon/virtual_link.h). The driver above cannot tell them apart.
 //
-// All functions but now_ns(), send_at_once() and is_any_plugged_in() belong to one thread at a time: link_opener.h says
-// which. None throws, and none waits except wait_until(), open() and close(). Times in ns.
+// send_at_once() belongs to any thread; the rest as device_link.h says. Times in ns.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string_view>
+
+#include "device/motors/device_link.h"
 
 namespace ghostforce {
-
-class StopDebts;
 
 // A control transfer to the chip: bmRequestType 0x40, no data.
 struct VendorRequest {
@@ -22,19 +20,6 @@ struct VendorRequest {
   std::uint16_t index = 0;
 
   friend bool operator==(const VendorRequest&, const VendorRequest&) = default;
-};
-
-// Why a link is not open, or is of no use any more.
-enum class LinkFault : std::uint8_t {
-  none,
-  absent,       // no device with these ids and that serial number is plugged in
-  not_allowed,  // it is, and this user may not open it
-  busy,         // another program has it
-  unsupported,  // it, or this system's USB, cannot be driven this way
-  unplugged,    // it was there and has gone
-  broken,       // transfers fail for another reason
-  overruled,    // the guard has stopped the motors, because this program did not live
-  unguarded,    // the guard is gone
 };
 
 // The outcome of a request.
@@ -55,35 +40,8 @@ struct LinkCounters {
   std::uint64_t discarded_bytes = 0;  // that came while nobody took them
 };
 
-class FalconLink {
+class FalconLink : public DeviceLink {
  public:
-  FalconLink() = default;
-  FalconLink(const FalconLink&) = delete;
-  FalconLink& operator=(const FalconLink&) = delete;
-  virtual ~FalconLink() = default;  // closes
-
-  // Whether open() and close() wait for a system or a device and allocate, so that they need a thread of their own.
-  virtual bool waits_to_open() const noexcept = 0;
-
-  // Looks for the device, takes it and clears what an earlier fault has left; from then on bytes come in by themselves.
-  // Returns fault().
-  virtual LinkFault open() noexcept = 0;
-  // The same, but devices that are owed a stop come before the one that would be chosen: while one of them is plugged
-  // in, no other is opened, and the fault says why it cannot be. A link that leads to a single device has no choice.
-  virtual LinkFault open_first(const StopDebts& /*owed*/) noexcept { return open(); }
-  // Looks whether one of these devices is plugged in, whatever is open. Waits for the system; on the thread that opens.
-  virtual bool is_any_plugged_in(const StopDebts& /*owed*/) const noexcept { return false; }
-
-  // Sends what owes_stop() speaks of, ends what is under way and gives the device back. Also after a fault. Nothing if
-  // it is not open.
-  virtual void close() noexcept = 0;
-
-  // none: open and well. Stays what it is until the next open().
-  virtual LinkFault fault() const noexcept = 0;
-
-  // Of the device that is open or was; empty before.
-  virtual std::string_view serial() const noexcept = 0;
-
   // Starts to send; false, and nothing happens, while something else is still being sent (is_sending()) or the link is
   // not open. A request may go out beside a stop. At most 64 bytes.
   virtual bool request(const VendorRequest& request) noexcept = 0;
@@ -99,13 +57,6 @@ class FalconLink {
   virtual void stop(std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual bool owes_stop() const noexcept = 0;
 
-  // Whether somebody stops the motors when this program cannot: a guard (device/falcon_usb/motor_guard.h), to which
-  // wait_until() tells that the program lives. Without it motors must stay off. A link that ends with the program needs
-  // none.
-  virtual bool is_guarded() const noexcept { return true; }
-  // From before the first force is written until the device has answered a zero.
-  virtual void set_may_push(bool /*may_push*/) noexcept {}
-
   // Takes the bytes that have come in, oldest first, without the chip's status bytes; returns how many.
   virtual std::size_t read(std::span<std::uint8_t> into) noexcept = 0;
 
@@ -114,15 +65,9 @@ class FalconLink {
 
   virtual LinkCounters counters() const noexcept = 0;
 
-  // The clock by which everything here happens: that of CLOCK_MONOTONIC, or one that a test moves.
-  virtual std::int64_t now_ns() const noexcept = 0;
+  void stop_at_once() noexcept final;
 
-  // Lets transfers make progress; returns when bytes have come in or something has been sent, or on a fault, and at
-  // `deadline_ns` at the latest. If the deadline has passed, looks and returns at once.
-  virtual void wait_until(std::int64_t deadline_ns) noexcept = 0;
-
-  // The emergency stop, from a signal handler, on any thread: sends these bytes beside what is under way, and waits until
-  // the chip has taken them, 30 ms at most. Async-signal-safe. The program is about to end.
+  // Sends these bytes as stop_at_once() does.
   virtual void send_at_once(std::span<const std::uint8_t> bytes) noexcept = 0;
 };
 

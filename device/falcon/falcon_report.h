@@ -61,14 +61,14 @@ struct FalconReport {
 
   FalconState state = FalconState::absent;
   FalconFault fault = FalconFault::none;  // in the state fault; else the one before, while it is tried again
-  FalconSerial serial;
+  DeviceSerial serial;
   bool is_virtual = false;
   bool has_looked = false;  // for a device, once at least
   bool is_guarded = false;  // somebody stops the motors when this program cannot
   // A device, this one or another, was told to stop and has not answered since: until it does, only its power plug
   // helps for certain.
   bool may_still_push = false;
-  FalconSerial owed_serial;  // of the one for which that has been so for longest
+  DeviceSerial owed_serial;  // of the one for which that has been so for longest
 
   bool has_firmware_file = false;
   bool has_firmware = false;  // the device answers frames

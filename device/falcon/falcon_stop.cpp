@@ -3,9 +3,15 @@
 #include <limits>
 
 #include "device/falcon/falcon.h"
+#include "device/falcon/falcon_link.h"
+#include "device/falcon/frame.h"
 #include "device/falcon/link_setup.h"
 
 namespace ghostforce {
+
+void FalconLink::stop_at_once() noexcept {
+  send_at_once(encode(CommandFrame{}));
+}
 
 void Falcon::stop_motors() noexcept {
   link().stop(stop_frames());
@@ -30,7 +36,7 @@ void Falcon::note_stop() noexcept {
 
 void Falcon::note_debts() noexcept {
   report_.may_still_push = !debts_.empty();
-  report_.owed_serial = debts_.empty() ? FalconSerial() : debts_.serials().front();
+  report_.owed_serial = debts_.empty() ? DeviceSerial() : debts_.serials().front();
 }
 
 // One that is owed a stop is plugged in again, while another one is in use.
@@ -74,7 +80,7 @@ void Falcon::pay_debts() noexcept {
   }
   shut_down();
   if (options_.when_left_pushing == nullptr || options_.is_virtual) return;
-  for (const FalconSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
+  for (const DeviceSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
 }
 
 // Whether one that is owed a stop is open; or some device is there and could not be opened, perhaps that one.

@@ -5,9 +5,9 @@
 #include <libusb.h>
 #include <time.h>
 
-#include "device/falcon/emergency_stop.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/link_setup.h"
+#include "device/motors/emergency_stop.h"
 
 namespace ghostforce {
 namespace {
@@ -62,7 +62,7 @@ LinkFault FtdiLink::open_first(const StopDebts& owed) noexcept {
   if (fault_ != LinkFault::none) {
     close();
   } else {
-    start_guard(owed.has(falcon_serial_of(usb_.serial())));
+    start_guard(owed.has(device_serial_of(usb_.serial())));
   }
   return fault_;
 }
@@ -106,7 +106,7 @@ void FtdiLink::heed_guard() noexcept {
 
 bool FtdiLink::is_any_plugged_in(const StopDebts& owed) const noexcept {
   return std::ranges::any_of(list_falcons(options_.id).devices, [&owed](const UsbDeviceFound& found) {
-    return found.may_open && owed.has(falcon_serial_of(found.serial));
+    return found.may_open && owed.has(device_serial_of(found.serial));
   });
 }
 

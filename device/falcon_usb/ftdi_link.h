@@ -17,11 +17,11 @@
 #include <utility>
 
 #include "device/falcon/falcon_link.h"
-#include "device/falcon/stop_debts.h"
-#include "device/falcon_usb/motor_guard.h"
 #include "device/falcon_usb/usb_connection.h"
 #include "device/falcon_usb/usb_search.h"
+#include "device/guard/motor_guard.h"
 #include "device/input/monotonic_clock.h"
+#include "device/motors/stop_debts.h"
 
 struct libusb_transfer;
 

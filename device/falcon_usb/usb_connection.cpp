@@ -13,7 +13,7 @@
 #include <libusb.h>
 #include <sys/stat.h>
 
-#include "device/falcon_usb/usb_node.h"
+#include "device/guard/usb_node.h"
 #include "device/input/monotonic_clock.h"
 
 namespace ghostforce {
@@ -95,7 +95,7 @@ LinkFault UsbConnection::find_and_take(const UsbId& id, const std::string& wante
     // A device that does not even tell its name now is left for later: its calibration goes by it.
     std::optional<std::string> serial = usb_serial_of(handle);
     if (!serial && fault == LinkFault::absent) fault = LinkFault::broken;
-    const std::size_t place = serial ? owed.place_of(falcon_serial_of(*serial)) : StopDebts::most;
+    const std::size_t place = serial ? owed.place_of(device_serial_of(*serial)) : StopDebts::most;
     if (serial && (wanted.empty() || *serial == wanted || place < StopDebts::most)) {
       candidates.push_back({place, *std::move(serial), handle});
     } else {

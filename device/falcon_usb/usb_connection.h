@@ -11,8 +11,8 @@
 #include <string_view>
 
 #include "device/falcon/falcon_link.h"
-#include "device/falcon/stop_debts.h"
 #include "device/falcon_usb/usb_search.h"
+#include "device/motors/stop_debts.h"
 
 struct libusb_context;
 struct libusb_device_handle;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/conventions.h"
+#include "core/mechanism.h"
 #include "core/motor_heat.h"
 #include "core/safety.h"
 
@@ -30,6 +31,13 @@ struct HandleReading {
   Vector<2> probe{0.0};
   bool is_still = true;    // enough for that check
   bool is_checked = true;  // nothing but the probe may be pushed with before
+
+  // The direction in which one motor pushes alone, where that turns with the handle [rad]. Empty: the settings say it.
+  std::optional<double> motor_angle{};
+  std::size_t pushing_motor = 0;         // which of two that is, 0 or 1
+  bool waits_for_zero_pose = false;      // a person has to say that the arms are where they count from
+  bool is_saturated = false;             // a motor cannot give what it was last asked for
+  std::optional<LinkagePose> linkage{};  // of a device whose links move in the plane, as they stand in the scene
 
   MotorHeats heat{};  // estimated, since the input was made
 };

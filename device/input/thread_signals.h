@@ -16,7 +16,7 @@ inline constexpr std::array fault_signals{SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGI
 void leave_process_signals() noexcept;
 
 // A stack for signal handlers. If a thread has used up its own, a handler has no room anywhere else, and the process
-// would end without an emergency stop (device/falcon/emergency_stop.h). Threads that others make get none from the
+// would end without an emergency stop (device/motors/emergency_stop.h). Threads that others make get none from the
 // thread that made them.
 //
 // For the thread that makes it, which also must be the one to destroy it. If there is no memory for it, the thread

@@ -215,6 +215,7 @@ void Servo::watch_handle() noexcept {
   const std::int64_t now = device_->now_ns();
   const auto since = [now](std::int64_t then) { return static_cast<double>(now - then) * 1e-9; };
   handle_ = device_->read();
+  follow_motor_line();
   const bool is_outside = handle_.is_known && depth(coefficients_.paper.wall, handle_.position) <= 0.0;
   safety_.update({.trouble = handle_.trouble,
                   .device_is_ready = handle_.is_ready && handle_.is_known,
@@ -239,17 +240,31 @@ void Servo::watch_handle() noexcept {
   report_.motors.handle_speed = handle_.speed;
   report_.motors.exchange_age_s = since(handle_.time_ns);
   report_.motors.heat = handle_.heat;
+  report_.motors.line_turns = handle_.motor_angle.has_value();
+  report_.motors.line_angle = handle_.motor_angle.value_or(0.0);
+  report_.motors.pushing_motor = handle_.pushing_motor;
+  report_.motors.linkage = handle_.linkage;
+  report_.motors.waits_for_zero_pose = handle_.waits_for_zero_pose;
+}
+
+// A motor whose line turns with the handle pushes along where it is now.
+void Servo::follow_motor_line() noexcept {
+  if (!handle_.motor_angle || *handle_.motor_angle == settings_.actuated_angle) return;
+  settings_.actuated_angle = *handle_.motor_angle;
+  update_coefficients(Change::steps);
 }
 
 // The tones from this tick to the next, in the plane [N].
 Vector<2> Servo::sound_tones(bool are_allowed, bool in_contact) noexcept {
-  const double tone = measurement_.sound(wants_tones_ && are_allowed, in_contact, tone_force_);
+  // Along a line that turns, they would measure the turn as well.
+  const bool can_measure = wants_tones_ && !handle_.motor_angle;
+  const double tone = measurement_.sound(can_measure && are_allowed, in_contact, tone_force_);
   return tone * motor_axis_;
 }
 
 // By what the newest tick has made of it, which the snapshot has. True: there is a new estimate.
 bool Servo::measure_hand() noexcept {
-  const bool measures = wants_tones_ || measurement_.is_sounding();
+  const bool measures = (wants_tones_ && !handle_.motor_angle) || measurement_.is_sounding();
   if (!measures) {
     if (report_.hand.is_measuring || report_.hand.tone_gain > 0.0) end_measuring();
     return false;
@@ -315,7 +330,7 @@ void Servo::limit_force(bool tick_is_due) noexcept {
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;
-  motors.is_saturated = result.was_saturated;
+  motors.is_saturated = result.was_saturated || (safety_.is_armed() && handle_.is_saturated);
 }
 
 void Servo::drive_motors() noexcept {
@@ -424,6 +439,7 @@ void Servo::use(const Settings& settings, std::uint32_t generation) noexcept {
   }
   const double believed = believed_user_stiffness(settings_.stiffnesses);
   settings_ = without_idle_general(settings);
+  if (handle_.motor_angle) settings_.actuated_angle = *handle_.motor_angle;
   if (follower_) {
     settings_.stiffnesses.believed_k_u = believed;
     settings_.stiffnesses.chosen_tracking_ratio.reset();

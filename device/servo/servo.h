@@ -6,6 +6,10 @@
 // has to pass. While it ticks our code never allocates, locks, logs, throws, opens files or frees. SI units. Functions
 // without a word about threads belong to the UI thread.
 //
+// Of a device whose motor pushes along a line that turns with the handle (HandleReading::motor_angle), each tick takes the
+// line as it is then: with a hand and a rendering that are the same in all directions the paper's law holds for it. Tones
+// do not measure the hand there.
+//
 // A general scene (general_tick.h) is ticked by its own loop, whatever moves the goal. Its forces go to no motors, and
 // no tones measure its hand: a servo with a device refuses such settings.
 #pragma once
@@ -185,6 +189,7 @@ class Servo {
   void count_period(bool is_late) noexcept;
   void update(bool tick_is_due) noexcept;
   void watch_handle() noexcept;
+  void follow_motor_line() noexcept;
   void limit_force(bool tick_is_due) noexcept;
   Vector<2> sound_tones(bool are_allowed, bool in_contact) noexcept;
   bool measure_hand() noexcept;

@@ -38,7 +38,7 @@ VirtualFalconInput::VirtualFalconInput(std::unique_ptr<VirtualLink> link, const 
                                        const Scene& scene)
     : FalconInput(std::move(link), options, scene.view.center),
       link_(static_cast<VirtualLink&>(falcon().link())),
-      plane_(calibration_of(FalconSerial::from(VirtualLink::serial_number).value(), options.calibrations),
+      plane_(calibration_of(DeviceSerial::from(VirtualLink::serial_number).value(), options.calibrations),
              scene.view.center),
       goal_(scene.view.center),
       k_u_(scene.settings.stiffnesses.k_u),

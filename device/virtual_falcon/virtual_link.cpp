@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "device/falcon/guard_memory.h"
 #include "device/input/monotonic_clock.h"
+#include "device/motors/guard_memory.h"
 
 namespace ghostforce {
 namespace {

@@ -148,7 +148,7 @@ TEST_F(FtdiLinkFaultsTest, ADeviceThatIsOwedAStopComesFirst) {
   EmulatedUsbDevice other(bed, other_chip, "00FIRST0");
   other.plug();
   StopDebts owed;
-  owed.add(*FalconSerial::from("12PZ657E"));
+  owed.add(*DeviceSerial::from("12PZ657E"));
   ASSERT_EQ(link.open_first(owed), LinkFault::none);
   EXPECT_EQ(link.serial(), "00FIRST0") << "the one that is owed is away";
   EXPECT_FALSE(link.is_any_plugged_in(owed));

@@ -62,7 +62,7 @@ class OwedStopTest : public testing::Test {
   void begin_driver() {
     left_pushing.clear();
     FalconOptions options;
-    options.when_left_pushing = [](const FalconSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
+    options.when_left_pushing = [](const DeviceSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
     input = std::make_unique<FalconInput>(std::make_unique<FtdiLink>(), options, Vector<2>{0.0, 0.0});
     input->restart({0.0, 0.0});
   }
@@ -174,7 +174,7 @@ TEST_F(OwedStopTest, TheGuardOfADeviceThatIsOwedAStopGivesIt) {
   ASSERT_TRUE(chip_a.pushes());
   a.plug();
   StopDebts owed;
-  owed.add(falcon_serial_of("12PZ657E"));
+  owed.add(device_serial_of("12PZ657E"));
   FtdiLink link;
   ASSERT_TRUE(becomes([&] { return link.open_first(owed) == LinkFault::none; }));
   EXPECT_TRUE(becomes([&] { return !chip_a.pushes(); }));

@@ -4,9 +4,9 @@
 #include <array>
 #include <span>
 
-#include "device/falcon/emergency_stop.h"
 #include "device/falcon/link_script.h"
 #include "device/falcon/link_setup.h"
+#include "device/motors/emergency_stop.h"
 
 namespace ghostforce {
 namespace {

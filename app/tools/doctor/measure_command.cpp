@@ -17,7 +17,7 @@
 #include "app/files/output_file.h"
 #include "app/tools/doctor/diagnosis.h"
 #include "app/tools/doctor/measurement.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/motors/emergency_stop.h"
 #include "device/servo/realtime.h"
 #include "device/virtual_falcon/practice_firmware.h"
 #include "device/virtual_falcon/virtual_link.h"

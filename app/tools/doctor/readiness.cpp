@@ -340,7 +340,7 @@ const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
   return steps[static_cast<std::size_t>(step)];
 }
 
-std::string left_pushing_words(const FalconSerial& serial) {
+std::string left_pushing_words(const DeviceSerial& serial) {
   const std::string_view number = serial.text();
   return fmt::format("The motors{}{} may still push: unplug the device's power supply now, then its USB cable.",
                      number.empty() ? "" : " of the Falcon with the serial number ", number);

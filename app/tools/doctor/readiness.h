@@ -15,7 +15,7 @@ namespace ghostforce {
 
 // Of the device, of which what draws the steps knows nothing else.
 enum class FalconFault : std::uint8_t;
-class FalconSerial;
+class DeviceSerial;
 struct FalconReport;
 struct MotorReport;
 
@@ -38,7 +38,7 @@ std::string_view sentence_of(FalconFault fault) noexcept;
 std::string_view remedy_of(FalconFault fault) noexcept;
 
 // That this Falcon was told to stop and has not answered, and what to do now.
-std::string left_pushing_words(const FalconSerial& serial);
+std::string left_pushing_words(const DeviceSerial& serial);
 
 // Why a device that is well may not push: nobody guards its motors, and what to do about it.
 std::string_view no_guard() noexcept;

@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 4> folders{udev_rule_folder, "/usr/local/
 // What makes udev read its rules again, and apply them to what is plugged in already.
 const std::array<Words, 2> reload{
     Words{"udevadm", "control", "--reload"},
-    Words{"udevadm", "trigger", "--subsystem-match=usb", "--subsystem-match=hidraw"},
+    Words{"udevadm", "trigger", "--subsystem-match=usb", "--subsystem-match=hidraw", "--subsystem-match=tty"},
 };
 
 std::string shown(const Words& words) {

@@ -39,7 +39,7 @@ std::string refusal_of_line(std::string_view line) {
 
 TEST(FalconCalibrationFile, HasTheDefaultsForWhatItDoesNotSay) {
   FalconCalibration expected;
-  expected.serial = *FalconSerial::from("A1");
+  expected.serial = *DeviceSerial::from("A1");
   EXPECT_EQ(read(std::string(least)), expected);
 }
 
@@ -101,9 +101,10 @@ TEST(FalconCalibrationFile, RefusesWhatIsNoCalibration) {
   EXPECT_EQ(refusal("format = 2\nserial = 5\n").find("f.toml:1:10: the key format: is 2, but this program only knows"),
             0U);
   EXPECT_EQ(refusal("format = \n").find("f.toml:1:"), 0U);
-  for (const std::string_view serial : {"", "a/b", "..", "a b", "12345678901234567890123456789012"}) {
-    EXPECT_NE(refusal("format = 1\nserial = \"" + std::string(serial) + "\"\n").find("is not a serial number"),
-              std::string::npos);
+  const std::string too_long(DeviceSerial::longest + 1, 'A');
+  for (const std::string& serial :
+       {std::string(), std::string("a/b"), std::string(".."), std::string("a b"), too_long}) {
+    EXPECT_NE(refusal("format = 1\nserial = \"" + serial + "\"\n").find("is not a serial number"), std::string::npos);
   }
 }
 
@@ -128,7 +129,7 @@ class FalconCalibrationFolderTest : public testing::Test {
 
   static FalconCalibration calibration_of(std::string_view serial) {
     FalconCalibration calibration;
-    calibration.serial = *FalconSerial::from(serial);
+    calibration.serial = *DeviceSerial::from(serial);
     return calibration;
   }
 

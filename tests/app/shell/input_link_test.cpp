@@ -162,7 +162,7 @@ TEST_F(InputLinkTest, AFalconThatIsOwedAStopIsNotLeft) {
   ApplicationOptions options{.inputs = portable_inputs({}), .input = "falcon"};
   options.inputs.push_back(falcon_entry(maker, {}));
   options.input_options.falcon.debts = std::make_shared<StopDebts>();
-  options.input_options.falcon.debts->add(falcon_serial_of(falcon.serial));
+  options.input_options.falcon.debts->add(device_serial_of(falcon.serial));
   open(options, "wall45", 1280, 720);
   act(ChooseInput{"mouse"});
   frames(2);

@@ -13,13 +13,13 @@ namespace {
 // Handed to the servo thread as a value.
 static_assert(std::is_trivially_copyable_v<FalconCalibration>);
 
-TEST(FalconSerial, KeepsWhatFits) {
-  EXPECT_EQ(FalconSerial{}.text(), "");
-  EXPECT_EQ(FalconSerial::from("12PZ657E")->text(), "12PZ657E");
-  EXPECT_TRUE(FalconSerial::from(std::string(FalconSerial::longest, 'A')));
-  EXPECT_FALSE(FalconSerial::from(std::string(FalconSerial::longest + 1, 'A')));
-  EXPECT_EQ(FalconSerial::from("A"), FalconSerial::from("A"));
-  EXPECT_NE(FalconSerial::from("A"), FalconSerial::from("B"));
+TEST(DeviceSerial, KeepsWhatFits) {
+  EXPECT_EQ(DeviceSerial{}.text(), "");
+  EXPECT_EQ(DeviceSerial::from("12PZ657E")->text(), "12PZ657E");
+  EXPECT_TRUE(DeviceSerial::from(std::string(DeviceSerial::longest, 'A')));
+  EXPECT_FALSE(DeviceSerial::from(std::string(DeviceSerial::longest + 1, 'A')));
+  EXPECT_EQ(DeviceSerial::from("A"), DeviceSerial::from("A"));
+  EXPECT_NE(DeviceSerial::from("A"), DeviceSerial::from("B"));
 }
 
 TEST(FalconAxis, PointsWhereItsNameSays) {

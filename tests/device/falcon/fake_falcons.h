@@ -16,7 +16,7 @@
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
 #include "device/falcon/link_setup.h"
-#include "device/falcon/stop_debts.h"
+#include "device/motors/stop_debts.h"
 
 namespace ghostforce {
 
@@ -162,7 +162,7 @@ class FakeFalcons final : public FalconLink {
   };
 
   static std::size_t place_of(const FakeFalcon& falcon, const StopDebts& owed) {
-    return owed.place_of(falcon_serial_of(falcon.serial));
+    return owed.place_of(device_serial_of(falcon.serial));
   }
   bool is_live() const { return falcon_ != nullptr && fault() == LinkFault::none; }
   void begin(Sending what) {

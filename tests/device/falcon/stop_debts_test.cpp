@@ -1,6 +1,6 @@
 // A Falcon that was told to stop and has not answered is owed that stop, whatever USB has taken and whatever else is
 // plugged in; and a chip that has lost its settings gets them again.
-#include "device/falcon/stop_debts.h"
+#include "device/motors/stop_debts.h"
 
 #include <memory>
 #include <string>
@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::int64_t ms = 1'000'000;
 
-FalconSerial numbered(int number) {
-  return *FalconSerial::from("FALCON" + std::to_string(number));
+DeviceSerial numbered(int number) {
+  return *DeviceSerial::from("FALCON" + std::to_string(number));
 }
 
 TEST(StopDebts, KeepsTheOldestFirstAndEachOnce) {
@@ -102,7 +102,7 @@ TEST_F(OwedStops, ADebtIsPaidByAReplyAndNotByWhatUsbHasTaken) {
   a.is_deaf = false;
   EXPECT_GE(ms_until([&] { return !report().may_still_push; }, 3.0), 0);
   EXPECT_FALSE(a.pushes());
-  EXPECT_EQ(report().owed_serial, FalconSerial());
+  EXPECT_EQ(report().owed_serial, DeviceSerial());
 }
 
 // The stop goes out beside a force that is not answered yet, and the device hangs before it has heard the stop.
@@ -342,7 +342,7 @@ TEST_F(OwedStops, TheEndOfTheProgramSaysWhichOnesAreLeftPushing) {
   for (const bool comes_back : {false, true}) {
     left_pushing.clear();
     FalconOptions options;
-    options.when_left_pushing = [](const FalconSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
+    options.when_left_pushing = [](const DeviceSerial& serial) noexcept { left_pushing.emplace_back(serial.text()); };
     a = FakeFalcon("12PZ657E");
     b.is_plugged = false;
     driver = driver_with(options);

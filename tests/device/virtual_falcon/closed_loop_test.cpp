@@ -138,7 +138,7 @@ TEST(ClosedLoop, TheForceOnTheHandHasTheDirectionThatWasAskedFor) {
 // A weak motor gets more counts. Were it not weak, it would push so much harder: the limit of force holds for that too.
 TEST(ClosedLoop, LimitHoldsForAMotorThatIsTakenForWeak) {
   FalconCalibration calibration;
-  calibration.serial = *FalconSerial::from(VirtualLink::serial_number);
+  calibration.serial = *DeviceSerial::from(VirtualLink::serial_number);
   calibration.motor_strengths = {1.0, 0.5, 0.8};
   FalconOptions options;
   options.calibrations = {calibration};

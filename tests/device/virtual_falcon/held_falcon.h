@@ -41,7 +41,7 @@ class HeldFalcon {
     link.device.starts_with_firmware = true;
     link.device.starts_homed = true;
     link.hand.stiffness = stiffness_;
-    options.calibration.serial = *FalconSerial::from(VirtualLink::serial_number);
+    options.calibration.serial = *DeviceSerial::from(VirtualLink::serial_number);
     auto owned = std::make_unique<VirtualLink>(link);
     link_ = owned.get();
     FalconOptions falcon;

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "device/falcon/guard_memory.h"
+#include "device/motors/guard_memory.h"
 #include "device/virtual_falcon/virtual_link.h"
 #include "tests/device/virtual_falcon/link_exchange.h"
 

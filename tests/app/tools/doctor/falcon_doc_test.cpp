@@ -59,7 +59,7 @@ TEST_F(FalconDoc, TellsEveryMeasurement) {
 
 TEST_F(FalconDoc, TellsEveryKeyOfACalibration) {
   FalconCalibration calibration;
-  calibration.serial = *FalconSerial::from("12PZ657E");
+  calibration.serial = *DeviceSerial::from("12PZ657E");
   std::istringstream text(falcon_calibration_text(calibration));
   int keys = 0;
   for (std::string line; std::getline(text, line);) {

@@ -11,7 +11,7 @@
 #include "app/files/falcon_calibration_file.h"
 #include "app/tools/doctor/encoder_wiring.h"
 #include "core/conventions.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/motors/emergency_stop.h"
 #include "tests/app/tools/doctor/measured_rehearsal.h"
 
 namespace ghostforce::falcon_measurement_test {
@@ -92,7 +92,7 @@ TEST(FalconMeasurement, OfAGoodDeviceIsAsAssumed) {
     }
   }
   FalconCalibration expected;
-  expected.serial = *FalconSerial::from(VirtualLink::serial_number);
+  expected.serial = *DeviceSerial::from(VirtualLink::serial_number);
   EXPECT_EQ(measurement.calibration, expected);
   EXPECT_NEAR(measured_in(finding_of(measurement, constant)).value, 6600.0, 150.0);
   EXPECT_NE(finding_of(measurement, firmware).sentence.find("still there after 1000 ms"), std::string::npos);
@@ -447,7 +447,7 @@ TEST(FalconMeasurement, LeavesHowTheWallLies) {
   before.motor_of_leg = {3, 2, 1};
   await_homed(*rehearsal.falcon, *rehearsal.person);
   FalconCalibration expected = before;
-  expected.serial = *FalconSerial::from(VirtualLink::serial_number);
+  expected.serial = *DeviceSerial::from(VirtualLink::serial_number);
   expected.counts_per_newton_metre = measured_motor_constant;
   expected.motor_of_leg = legs_in_order;
   EXPECT_EQ(measure_falcon(*rehearsal.falcon, *rehearsal.person, before).calibration, expected);

@@ -11,7 +11,7 @@
 
 #include "app/base/interruption.h"
 #include "app/tools/doctor/measure_command.h"
-#include "device/falcon/emergency_stop.h"
+#include "device/motors/emergency_stop.h"
 #include "tests/app/tools/doctor/measured_rehearsal.h"
 #include "tests/support/before_waiting.h"
 #include "tests/support/exit_code_of.h"

@@ -86,7 +86,7 @@ TEST(Readiness, SaysThatTheMotorsMayStillPush) {
   EXPECT_EQ(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
   report.may_still_push = true;
   EXPECT_NE(readiness_of(report, nullptr)[3].words.find("unplug the device's power supply"), std::string::npos);
-  report.owed_serial = *FalconSerial::from("12PZ657E");
+  report.owed_serial = *DeviceSerial::from("12PZ657E");
   EXPECT_NE(readiness_of(report, nullptr)[3].words.find("12PZ657E"), std::string::npos);
 }
 
@@ -133,7 +133,7 @@ TEST(Readiness, SaysThatADeviceIsWellAgainInPlaceOfWhatToDoForIt) {
 TEST(Readiness, SaysThatAnotherDeviceMayStillPushWhileThisOneIsWell) {
   FalconReport report = well();
   report.may_still_push = true;
-  report.owed_serial = *FalconSerial::from("12PZ657E");
+  report.owed_serial = *DeviceSerial::from("12PZ657E");
   EXPECT_NE(readiness_of(report, nullptr).back().words.find("12PZ657E may still push"), std::string::npos);
   const MotorReport motors{.has_motors = true, .state = SafetyState::on, .is_handle_known = true, .is_ready = true};
   EXPECT_NE(readiness_of(report, &motors).back().words.find("12PZ657E may still push"), std::string::npos);
@@ -300,7 +300,7 @@ std::vector<FalconReport> all_reports() {
           report.exchange_hz = hz;
           report.exchange_s = hz > 0.0 ? 1.0 / hz : 0.0;
           report.may_still_push = motors == 3;
-          if (motors == 5) report.serial = *FalconSerial::from("12PZ657E");
+          if (motors == 5) report.serial = *DeviceSerial::from("12PZ657E");
           reports.push_back(report);
         }
       }

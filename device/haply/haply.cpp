@@ -1,0 +1,574 @@
+#include "device/haply/haply.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "device/motors/emergency_stop.h"
+
+namespace ghostforce {
+namespace {
+
+// One odd reply is no loss of a position, and no proof of one.
+constexpr int replies_to_believe = 3;
+// The second answer in a row that is the address alone cannot be a reply that was cut short.
+constexpr int short_replies_to_believe = 2;
+// The arms must tell a position again within this time [s]: sooner than an old one ends the force anyway.
+constexpr double longest_lost_s = 0.010;
+// An encoder that has gone so far is connected and counting.
+constexpr double moved_rad = 3.0 * radians_per_degree;
+// What no hand does: at 1 m/s, where motors go off, an arm turns by 0.8° per millisecond in the workspace.
+constexpr double greatest_leap_rad_per_s = 2000.0 * radians_per_degree;
+constexpr double least_reach_rad = 2.0 * radians_per_degree;
+constexpr double greatest_reach_rad = 15.0 * radians_per_degree;
+constexpr double rate_window_s = 0.5;
+// In a row without an answer. The published firmwares allocate at each and free nothing.
+constexpr int most_set_ups = 3;
+// No answer was ever seen to come later [s].
+constexpr double quiet_s = 0.2;
+// Below a thousandth of a step of any board's duty: what rounding leaves of a motor that is not used [N·m].
+constexpr double no_torque = 1e-7;
+
+// In the order of LinkFault: a board that is not there is no fault.
+constexpr std::array link_faults{HaplyFault::none,   HaplyFault::none,        HaplyFault::not_allowed,
+                                 HaplyFault::busy,   HaplyFault::unsupported, HaplyFault::unplugged,
+                                 HaplyFault::broken, HaplyFault::overruled,   HaplyFault::unguarded};
+static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::unguarded) + 1);
+
+HaplyFault fault_of(LinkFault fault) noexcept {
+  return link_faults[static_cast<std::size_t>(fault)];
+}
+
+HaplyOptions with_debts(HaplyOptions options) {
+  if (!options.debts) options.debts = std::make_shared<StopDebts>();
+  return options;
+}
+
+bool are_near(const std::array<double, 2>& a, const std::array<double, 2>& b, double reach) noexcept {
+  return std::abs(a[0] - b[0]) <= reach && std::abs(a[1] - b[1]) <= reach;
+}
+
+hapi::SetUp set_up_of(const HaplyCalibration& calibration) noexcept {
+  hapi::SetUp set_up;
+  for (const HaplyArm& arm : calibration.arms) {
+    const std::size_t motor = arm.motor_port - 1U;
+    const std::size_t encoder = arm.encoder_port - 1U;
+    set_up.motor_directions[motor] = arm.motor_direction;
+    set_up.encoder_directions[encoder] = arm.encoder_direction;
+    set_up.offsets_deg[encoder] = static_cast<float>(arm.offset_deg);
+    set_up.counts_per_turn[encoder] = static_cast<float>(arm.counts_per_turn);
+  }
+  return set_up;
+}
+
+std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept {
+  return {calibration.arms[0].offset_deg * radians_per_degree, calibration.arms[1].offset_deg * radians_per_degree};
+}
+
+// How far a pose is from one in which two links are parallel: the smallest sine between any two that meet.
+double margin_of(const PantographPose& pose, const std::array<double, 2>& angles) noexcept {
+  const auto sine = [](const Vector<2>& a, const Vector<2>& b) { return std::abs(a.x * b.y - a.y * b.x); };
+  double margin = sine(pose.directions[0], pose.directions[1]);
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const Vector<2> driven(std::cos(angles[arm]), std::sin(angles[arm]));
+    margin = std::min(margin, sine(driven, pose.directions[arm]));
+  }
+  return margin;
+}
+
+}  // namespace
+
+Haply::Haply(std::unique_ptr<SerialPort> port, HaplyOptions options)
+    : port_(*port),
+      opener_(std::move(port)),
+      options_(with_debts(std::move(options))),
+      debts_(*options_.debts),
+      calibration_(options_.usual),
+      // What is looked for is looked for at once.
+      phase_began_ns_(port_.now_ns()) {
+  report_.is_virtual = options_.is_virtual;
+  report_.variant = calibration_.variant;
+  note_debts();  // those of an earlier driver
+}
+
+Haply::~Haply() {
+  shut_down();
+  pay_debts();
+  opener_.end();  // until then an emergency still finds the port
+  emergency_stop::watch(nullptr);
+}
+
+double Haply::since(std::int64_t then_ns) const noexcept {
+  return static_cast<double>(port_.now_ns() - then_ns) * 1e-9;
+}
+
+void Haply::enter(Phase phase) noexcept {
+  phase_ = phase;
+  phase_began_ns_ = port_.now_ns();
+}
+
+void Haply::update() noexcept {
+  if (opener_.is_busy()) return;
+  if (phase_ == Phase::pausing) {
+    if (since(phase_began_ns_) < pause_s_) return;
+    opener_.open(debts_);
+    phase_ = Phase::opening;
+    if (opener_.is_busy()) return;
+  }
+  if (phase_ == Phase::opening) return opened(port_.fault());
+  port_.wait_until(port_.now_ns());  // lets transfers make progress
+  if (port_.fault() != LinkFault::none) return end(fault_of(port_.fault()));
+  switch (phase_) {
+    case Phase::pausing:
+    case Phase::opening:
+      return;
+    case Phase::settling:
+      if (since(phase_began_ns_) >= settle_s) ask();
+      return;
+    case Phase::probing:
+      return probe();
+    case Phase::setting_up:
+      if (since(phase_began_ns_) >= set_up_s) begin_exchanging();
+      return;
+    case Phase::exchanging:
+      return exchange();
+  }
+}
+
+void Haply::wait_until(std::int64_t deadline_ns) noexcept {
+  opener_.wait_until(std::min(deadline_ns, stop_ns()));
+}
+
+void Haply::opened(LinkFault fault) noexcept {
+  report_.has_looked = true;
+  note_debts();  // an earlier driver has ended meanwhile
+  phase_began_ns_ = port_.now_ns();
+  if (fault == LinkFault::absent) {
+    phase_ = Phase::pausing;
+    pause_s_ = debts_.empty() ? look_again_s : soon_s;
+    // That it was there and has gone stays on screen until it is back.
+    if (report_.fault != HaplyFault::none) report_.fault = HaplyFault::unplugged;
+    report_.state = report_.fault == HaplyFault::none ? HaplyState::absent : HaplyState::fault;
+    return;
+  }
+  if (fault != LinkFault::none) return end(fault_of(fault));
+  emergency_stop::watch(&port_);
+  report_.is_guarded = port_.is_guarded();
+  report_.serial = device_serial_of(port_.serial());
+  calibration_ = calibration_of(report_.serial, options_.calibrations, options_.usual);
+  report_.variant = calibration_.variant;
+  report_.exchanges = report_.lost_exchanges = 0;
+  report_.state = HaplyState::opening;
+  forget_home();
+  set_ups_ = 0;
+  may_push_ = debts_.has(report_.serial);
+  port_.set_may_push(may_push_);
+  // Somebody else's torque may stand: zeros do no harm before the board is known.
+  if (may_push_) port_.write(hapi::zero_exchange());
+  enter(Phase::settling);
+}
+
+// Every exchange sets torques, so that the question is one with zeros. A board that is set up for this address answers
+// with its angles; one that is not answers with the address alone, and takes the zeros for resets.
+void Haply::ask() noexcept {
+  port_.discard_input();
+  reader_.reset();
+  replies_.reset();
+  short_replies_ = 0;
+  if (!port_.write(hapi::zero_exchange())) {
+    if (since(phase_began_ns_) >= give_up_s) end(HaplyFault::broken);
+    return;
+  }
+  sent_ns_ = port_.now_ns();
+  enter(Phase::probing);
+}
+
+void Haply::probe() noexcept {
+  std::array<std::uint8_t, 64> bytes;
+  while (const std::size_t count = port_.read(bytes)) {
+    if (!reader_.take(std::span(bytes).first(count))) continue;
+    report_.was_set_up = true;
+    note_zero_answered();
+    return begin_exchanging();
+  }
+  // The rest of a reply comes in the same packet or in the next.
+  if (reader_.holds_address_alone() && since(phase_began_ns_) >= set_up_s) {
+    report_.was_set_up = false;
+    return send_set_up();
+  }
+  if (since(phase_began_ns_) >= probe_s) end(HaplyFault::no_board);
+}
+
+// Stops the motors too, whoever has them pushing under whatever address.
+void Haply::send_set_up() noexcept {
+  report_.torques = command_ = {};
+  is_command_new_ = false;
+  port_.discard_input();
+  reader_.reset();
+  position_time_ns_ = 0;
+  if (++set_ups_ > most_set_ups) return end(HaplyFault::restarted);
+  if (!port_.write(hapi::encode(set_up_of(calibration_)))) return end(HaplyFault::broken);
+  if (!zero_ns_) zero_ns_ = port_.now_ns();
+  enter(Phase::setting_up);
+}
+
+void Haply::begin_exchanging() noexcept {
+  port_.discard_input();
+  reader_.reset();
+  replies_.reset();
+  short_replies_ = 0;
+  command_ = {};
+  is_command_new_ = false;
+  in_flight_ = in_flight_before_zero_ = 0;
+  believed_ns_ = 0;
+  odd_replies_ = 0;
+  lost_position_ns_ = 0;
+  still_ns_ = 0;
+  sent_ns_ = heard_ns_ = awaited_ns_ = port_.now_ns();
+  zeros_ns_ = 0;
+  if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) report_.state = HaplyState::zero_pose;
+  window_ = {.began_ns = sent_ns_};
+  enter(Phase::exchanging);
+}
+
+void Haply::forget_home() noexcept {
+  report_.zero_pose = ZeroPose::not_confirmed;
+  report_.has_moved = {};
+  report_.workspace_share = 1.0;
+  wants_zero_pose_ = false;
+  pose_.reset();
+  position_time_ns_ = 0;
+}
+
+void Haply::end(HaplyFault fault) noexcept {
+  // Also through a port that hears no more: it may still be heard.
+  if (phase_ == Phase::exchanging || may_push_) {
+    port_.write(hapi::zero_exchange());
+    note_stop();
+  }
+  opener_.close();
+  report_.state = HaplyState::fault;
+  report_.fault = fault;
+  ++report_.faults;
+  report_.exchange_hz = 0.0;
+  report_.torques = command_ = {};
+  forget_home();
+  phase_ = Phase::pausing;
+  phase_began_ns_ = port_.now_ns();
+  pause_s_ = fault == HaplyFault::unplugged || !debts_.empty() ? soon_s : try_again_s;
+}
+
+void Haply::exchange() noexcept {
+  take_replies();
+  if (phase_ != Phase::exchanging) return;
+  if (since(awaited_ns_) >= give_up_s && replies_.is_waiting()) return end(HaplyFault::no_replies);
+  const std::int64_t now_ns = port_.now_ns();
+  if (now_ns >= stop_ns()) return send_zeros();
+  if (wants_zero_pose_ && !may_push_ && !replies_.is_waiting()) {
+    wants_zero_pose_ = false;
+    if (still_ns_ == 0 || since(still_ns_) < still_s) {
+      report_.zero_pose = ZeroPose::moving;
+    } else {
+      report_.zero_pose = ZeroPose::setting;
+      return send_set_up();
+    }
+  }
+  if (replies_.may_ask_again(now_ns)) {
+    // What there is of a reply belongs to the question that is given up.
+    if (reader_.holds_address_alone() && ++short_replies_ >= short_replies_to_believe) {
+      ++report_.faults;
+      report_.fault = HaplyFault::restarted;
+      report_.state = HaplyState::zero_pose;
+      forget_home();
+      note_stop();
+      return send_set_up();
+    }
+    if (short_replies_ > 0) command_ = {};
+    reader_.reset();
+    if (send_command()) ++report_.lost_exchanges;
+  } else if ((is_command_new_ || since(heard_ns_) >= keep_alive_s) && replies_.may_send(now_ns)) {
+    send_command();
+  }
+}
+
+bool Haply::take_replies() noexcept {
+  std::array<std::uint8_t, 64> bytes;
+  bool has_come = false;
+  while (const std::size_t count = port_.read(bytes)) {
+    auto angles = reader_.take(std::span(bytes).first(count));
+    for (; angles; angles = reader_.take({})) {
+      has_come = true;
+      take(*angles);
+    }
+  }
+  report_.discarded_bytes = reader_.discarded_bytes();
+  return has_come;
+}
+
+void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
+  const auto asked_ns = replies_.replied(port_.now_ns());
+  if (!asked_ns) return;  // a reply that came twice is no news
+  heard_ns_ = awaited_ns_ = port_.now_ns();
+  short_replies_ = 0;
+  if (in_flight_ > 0) --in_flight_;
+  // A reply to an older command, one with a torque, says nothing about a zero that was sent after it.
+  if (zero_ns_ && in_flight_before_zero_ > 0) {
+    --in_flight_before_zero_;
+  } else if (zero_ns_ && *asked_ns >= *zero_ns_) {
+    note_zero_answered();
+  }
+  // What is still missing a while after the last silence never comes.
+  if (replies_.is_clear() && since(zeros_ns_) > quiet_s) in_flight_ = 0;
+  ++report_.exchanges;
+  ++window_.exchanges;
+  const double exchange_s = since(*asked_ns);
+  window_.sum_s += exchange_s;
+  window_.worst_s = std::max(window_.worst_s, exchange_s);
+  measure_rate();
+  std::array<double, 2> angles{};
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    angles[arm] = degrees[calibration_.arms[arm].encoder_port - 1U] * radians_per_degree;
+  }
+  if (!believes(angles)) return;
+  report_.angles = angles;
+  follow_stillness();
+  if (report_.zero_pose == ZeroPose::setting) judge_zero_pose();
+  if (report_.zero_pose == ZeroPose::confirmed) locate(*asked_ns);
+}
+
+bool Haply::believes(const std::array<double, 2>& angles) noexcept {
+  const double reach = std::min(least_reach_rad + greatest_leap_rad_per_s * since(believed_ns_), greatest_reach_rad);
+  if (believed_ns_ != 0 && !are_near(angles, believed_, reach)) {
+    odd_replies_ = odd_replies_ > 0 && are_near(angles, odd_, greatest_reach_rad) ? odd_replies_ + 1 : 1;
+    odd_ = angles;
+    if (odd_replies_ < replies_to_believe) return false;
+  }
+  odd_replies_ = 0;
+  believed_ = angles;
+  believed_ns_ = heard_ns_;
+  return true;
+}
+
+void Haply::follow_stillness() noexcept {
+  const std::array<double, 2>& angles = report_.angles;
+  bool is_still = still_ns_ != 0;
+  for (std::size_t arm = 0; arm < 2 && is_still; ++arm) {
+    still_least_[arm] = std::min(still_least_[arm], angles[arm]);
+    still_greatest_[arm] = std::max(still_greatest_[arm], angles[arm]);
+    is_still = still_greatest_[arm] - still_least_[arm] <= still_deg * radians_per_degree;
+  }
+  if (is_still) return;
+  still_least_ = still_greatest_ = angles;
+  still_ns_ = heard_ns_;
+}
+
+// Right after a set up the counters tell the angles that it has given them.
+void Haply::judge_zero_pose() noexcept {
+  if (!are_near(report_.angles, zero_pose_of(calibration_), zero_pose_deg * radians_per_degree)) {
+    report_.zero_pose = ZeroPose::refused;
+    report_.state = HaplyState::zero_pose;
+    return;
+  }
+  report_.zero_pose = ZeroPose::confirmed;
+  report_.state = HaplyState::idle;
+  report_.fault = HaplyFault::none;
+  report_.has_moved = {};
+  least_ = greatest_ = report_.angles;
+  lost_position_ns_ = 0;
+}
+
+// `asked_ns`: when the board was asked, for it has not looked at its encoders before.
+void Haply::locate(std::int64_t asked_ns) noexcept {
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    least_[arm] = std::min(least_[arm], report_.angles[arm]);
+    greatest_[arm] = std::max(greatest_[arm], report_.angles[arm]);
+    if (greatest_[arm] - least_[arm] >= moved_rad) report_.has_moved[arm] = true;
+  }
+  pose_ = pose_at(calibration_.geometry, report_.angles);
+  if (pose_) {
+    const double share = (margin_of(*pose_, report_.angles) - least_margin) / (full_margin - least_margin);
+    report_.workspace_share = std::clamp(share, 0.0, 1.0);
+    report_.position = pose_->handle;
+    position_time_ns_ = asked_ns;
+    position_heard_ns_ = heard_ns_;
+    lost_position_ns_ = 0;
+    if (report_.is_readable()) return;
+    report_.state = HaplyState::idle;
+    report_.fault = HaplyFault::none;
+    set_force(Vector<2>(0.0), false);
+  } else if (lost_position_ns_ == 0) {
+    lost_position_ns_ = port_.now_ns();
+  } else if (report_.is_readable() && since(lost_position_ns_) >= longest_lost_s) {
+    // The board itself is well: it is listened to until its angles make sense again.
+    report_.state = HaplyState::fault;
+    report_.fault = HaplyFault::kinematics;
+    ++report_.faults;
+    command_ = {};
+    is_command_new_ = true;
+  }
+}
+
+void Haply::confirm_zero_pose() noexcept {
+  if (phase_ == Phase::exchanging && report_.state != HaplyState::active) wants_zero_pose_ = true;
+}
+
+void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
+  if (phase_ != Phase::exchanging) return;
+  if (!report_.is_readable()) {
+    is_command_new_ = true;  // the board is asked as often as it would be with a force
+    return;
+  }
+  report_.state = is_armed ? HaplyState::active : HaplyState::idle;
+  command_ = {};
+  report_.is_saturated = false;
+  if (is_armed && pose_) {
+    std::array<double, 2> torques = torques_for(*pose_, report_.workspace_share * force);
+    double excess = 1.0;
+    for (std::size_t arm = 0; arm < 2; ++arm) {
+      const HaplyArm& known = calibration_.arms[arm];
+      torques[arm] *= (known.is_motor_reversed ? -1.0 : 1.0) / known.torque_scale;
+      if (!(std::abs(torques[arm]) > no_torque)) torques[arm] = 0.0;
+      excess = std::max(excess, std::abs(torques[arm]) / hapi::greatest_torque);
+    }
+    // Both by the same share: one alone would turn the force.
+    report_.is_saturated = excess > 1.0;
+    for (double& torque : torques) torque /= excess;
+    command_ = torques;
+  }
+  is_command_new_ = true;
+  // Off does not wait for a reply.
+  const bool is_off_now = !is_armed && report_.torques != std::array<double, 2>{};
+  if (replies_.may_send(port_.now_ns()) || is_off_now) send_command();
+}
+
+bool Haply::send_command() noexcept {
+  // Whoever waits too long for a reply does not go on pushing.
+  if (is_leaving_ || since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_ = {};
+  hapi::PerPort<double> torques{};
+  for (std::size_t arm = 0; arm < 2; ++arm) torques[calibration_.arms[arm].motor_port - 1U] = command_[arm];
+  if (!send(torques)) return false;
+  report_.torques = command_;
+  is_command_new_ = false;
+  return true;
+}
+
+bool Haply::send(const hapi::PerPort<double>& torques) noexcept {
+  const bool pushes = torques != hapi::PerPort<double>{};
+  if (pushes && !may_push_) {
+    may_push_ = true;
+    port_.set_may_push(true);
+  }
+  if (!port_.write(hapi::exchange(torques))) return false;
+  sent_ns_ = port_.now_ns();
+  if (!replies_.is_waiting()) awaited_ns_ = std::max(awaited_ns_, sent_ns_);
+  if (pushes) {
+    zero_ns_.reset();
+  } else if (!zero_ns_) {
+    zero_ns_ = sent_ns_;
+    in_flight_before_zero_ = in_flight_;
+  }
+  ++in_flight_;
+  replies_.sent(sent_ns_);
+  return true;
+}
+
+// When zeros are due if no reply has come by then.
+std::int64_t Haply::stop_ns() const noexcept {
+  constexpr auto stop_after_ns = static_cast<std::int64_t>(stop_s * 1e9);
+  if (phase_ != Phase::exchanging || !replies_.is_waiting()) return std::numeric_limits<std::int64_t>::max();
+  // While it may push, time runs also where nobody asks.
+  return std::max(may_push_ ? heard_ns_ : awaited_ns_, zeros_ns_) + stop_after_ns;
+}
+
+// For want of a reply. The board may be waiting for the rest of a packet: then this is it.
+void Haply::send_zeros() noexcept {
+  zeros_ns_ = port_.now_ns();
+  ++report_.lost_exchanges;
+  window_.worst_s = std::max(window_.worst_s, since(awaited_ns_));
+  command_ = {};
+  reader_.reset();
+  note_stop();
+  send({});
+}
+
+// That the board has been told to stop, and may not have heard.
+void Haply::note_stop() noexcept {
+  report_.torques = {};
+  if (may_push_) debts_.add(report_.serial);
+  note_debts();
+}
+
+void Haply::note_zero_answered() noexcept {
+  if (may_push_) port_.set_may_push(false);
+  may_push_ = false;
+  set_ups_ = 0;
+  debts_.remove(report_.serial);
+  note_debts();
+}
+
+void Haply::note_debts() noexcept {
+  report_.may_still_push = !debts_.empty();
+  report_.owed_serial = debts_.empty() ? DeviceSerial() : debts_.serials().front();
+}
+
+void Haply::shut_down() noexcept {
+  if (opener_.is_busy()) return;
+  if (phase_ == Phase::exchanging) {
+    say_goodbye();
+    report_.state = HaplyState::absent;
+    report_.torques = {};
+  }
+  opener_.close();
+  forget_home();
+  phase_ = Phase::pausing;
+  phase_began_ns_ = port_.now_ns();
+  pause_s_ = debts_.empty() ? try_again_s : soon_s;
+}
+
+// Until three zeros have been answered: a board hears each of them.
+void Haply::say_goodbye() noexcept {
+  is_leaving_ = true;
+  const std::int64_t deadline_ns = port_.now_ns() + static_cast<std::int64_t>(goodbye_s * 1e9);
+  int heard = replies_.is_waiting() ? -1 : 0;
+  send_command();
+  while ((heard < 3 || may_push_) && port_.fault() == LinkFault::none && port_.now_ns() < deadline_ns) {
+    if (replies_.may_send(port_.now_ns()) || since(sent_ns_) >= stop_s) send_command();
+    port_.wait_until(std::min(deadline_ns, port_.now_ns() + 5'000'000));
+    if (take_replies()) ++heard;
+  }
+  note_stop();
+  is_leaving_ = false;
+}
+
+// There is no later. A board that is just being plugged in may not be there yet, or may have been found a moment ago: the
+// time counts from the last sign of it.
+void Haply::pay_debts() noexcept {
+  const std::int64_t began_ns = port_.now_ns();
+  std::int64_t seen_ns = began_ns;
+  pause_s_ = 0.0;
+  while (!debts_.empty() && since(began_ns) < last_stops_s) {
+    const bool was_busy = opener_.is_busy();  // what it has found is known after the next update()
+    update();
+    const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
+    if (is_open ? debts_.has(report_.serial) : report_.fault != HaplyFault::none) seen_ns = port_.now_ns();
+    const bool is_looking = was_busy || opener_.is_busy() || phase_ == Phase::opening;
+    if (!is_looking && since(seen_ns) >= last_look_s) break;
+    opener_.wait_until(port_.now_ns() + 1'000'000);
+  }
+  shut_down();
+  if (options_.when_left_pushing == nullptr || options_.is_virtual) return;
+  for (const DeviceSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
+}
+
+void Haply::measure_rate() noexcept {
+  const double window_s = since(window_.began_ns);
+  if (window_s < rate_window_s) return;
+  report_.exchange_hz = window_.exchanges / window_s;
+  report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
+  report_.worst_exchange_s = window_.worst_s;
+  report_.is_guarded = port_.is_guarded();
+  window_ = {.began_ns = port_.now_ns()};
+}
+
+}  // namespace ghostforce

@@ -1,0 +1,364 @@
+#include "device/haply_serial/tty_port.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <exception>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <vector>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/stat.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "device/haply/hapi.h"
+#include "device/motors/emergency_stop.h"
+
+namespace ghostforce {
+namespace {
+
+constexpr std::size_t longest_packet = 64;
+
+constexpr std::int64_t ns_per_ms = 1'000'000;
+// While nothing comes, the guard hears this often that the program lives.
+constexpr std::int64_t longest_slice_ns = 5 * ns_per_ms;
+// A stop that the port does not take is tried for so long in closing, and in a signal handler.
+constexpr std::int64_t stop_patience_ns = 500 * ns_per_ms;
+constexpr std::int64_t at_once_patience_ns = 30 * ns_per_ms;
+// Closing waits no longer for a stop from a signal handler: a process that is ending may have lost the thread.
+constexpr std::int64_t last_write_patience_ns = 100 * ns_per_ms;
+constexpr int closing_stops = 2;
+
+LinkFault open_fault_of(int error) noexcept {
+  switch (error) {
+    case EACCES:
+    case EPERM:
+      return LinkFault::not_allowed;
+    case ENOENT:
+    case ENOTDIR:
+    case ENODEV:
+    case ENXIO:
+      return LinkFault::absent;
+    case EBUSY:
+    case EWOULDBLOCK:  // flock()'s word for it
+      return LinkFault::busy;
+    case ENOTTY:
+    case EISDIR:
+      return LinkFault::unsupported;
+    default:
+      return LinkFault::broken;
+  }
+}
+
+// The port takes nothing, or has nothing, just now.
+bool is_momentary(int error) noexcept {
+  return error == EAGAIN || error == EINTR;
+}
+
+// --- Which port ---
+
+struct Target {
+  LinkFault why_not = LinkFault::none;
+  std::string node{};  // with all links followed
+  std::string serial{};
+};
+
+Target target_at(const std::string& path, const std::vector<SerialPortFound>& ports) {
+  std::error_code error;
+  Target target;
+  target.node = std::filesystem::canonical(path, error).string();
+  if (error) return {open_fault_of(error.value())};
+  const auto port = std::ranges::find_if(ports, [&target](const SerialPortFound& each) {
+    std::error_code gone;
+    return std::filesystem::canonical(each.path, gone) == target.node;
+  });
+  target.serial = port == ports.end() || port->serial.empty() ? target.node : port->serial;
+  return target;
+}
+
+// The ports that a stop may be owed at: all that the search finds, and the one of a person's choice.
+std::vector<Target> possible_targets(const TtyPortOptions& options, const std::vector<SerialPortFound>& ports) {
+  std::vector<Target> targets;
+  if (!options.path.empty()) targets.push_back(target_at(options.path, ports));
+  for (const SerialPortFound& port : ports) targets.push_back(target_at(port.path, ports));
+  std::erase_if(targets, [](const Target& each) { return each.why_not != LinkFault::none; });
+  return targets;
+}
+
+Target target_of(const TtyPortOptions& options, const StopDebts& owed) {
+  const std::vector<SerialPortFound> ports = list_serial_ports(options.places);
+  const auto debt_of = [&owed](const Target& each) { return owed.place_of(device_serial_of(each.serial)); };
+  const std::vector<Target> targets = possible_targets(options, ports);
+  const auto oldest_debt = std::ranges::min_element(targets, std::ranges::less(), debt_of);
+  if (oldest_debt != targets.end() && debt_of(*oldest_debt) < StopDebts::most) return *oldest_debt;
+
+  if (!options.path.empty()) return target_at(options.path, ports);
+  const auto is_known = [](const SerialPortFound& port) { return !port.board.empty(); };
+  if (std::ranges::count_if(ports, is_known) != 1) return {LinkFault::absent};
+  return target_at(std::ranges::find_if(ports, is_known)->path, ports);
+}
+
+// --- A terminal as a wire ---
+
+// Every byte as it is, in both directions, and no flow control: none of them is a sign. Errno of what went wrong.
+int make_raw(int file) noexcept {
+  termios line{};
+  if (tcgetattr(file, &line) != 0) return errno;
+  cfmakeraw(&line);  // 8 bits, no parity
+  line.c_iflag &= ~tcflag_t{IXOFF | IXANY};
+  line.c_cflag &= ~tcflag_t{CSTOPB | CRTSCTS};
+  line.c_cflag |= tcflag_t{CLOCAL | CREAD};
+  // Closing must not drop DTR: boards fall silent without it, or restart.
+  line.c_cflag &= ~tcflag_t{HUPCL};
+  // With a 0 here, nothing to read would look as a port does that has gone.
+  line.c_cc[VMIN] = 1;
+  line.c_cc[VTIME] = 0;
+  cfsetispeed(&line, B115200);
+  cfsetospeed(&line, B115200);
+  if (tcsetattr(file, TCSANOW, &line) != 0) return errno;
+  // A pseudo terminal has no such lines.
+  int lines = TIOCM_DTR | TIOCM_RTS;
+  ioctl(file, TIOCMBIS, &lines);
+  tcflush(file, TCIFLUSH);
+  return 0;
+}
+
+// Two programs on one board would tear each other's packets. The lock is for programs that ask for it, and holds for root
+// too, whom the terminal's own refuses nothing; that one keeps out programs that never ask. Both are the guard's as well, so
+// that the port is taken until it has stopped the motors. Errno of what went wrong.
+int lock_out_others(int file) noexcept {
+  if (flock(file, LOCK_EX | LOCK_NB) != 0) return errno;
+  return ioctl(file, TIOCEXCL) == 0 ? 0 : errno;
+}
+
+void close_quietly(int file) noexcept {
+  // A terminal that somebody else has open too would go on being refused to others.
+  ioctl(file, TIOCNXCL);
+  ::close(file);
+}
+
+// The file; or why there is none, in `why_not`.
+int open_terminal(const std::string& node, LinkFault& why_not) noexcept {
+  struct stat status {};
+  // Nothing but a terminal is opened: to open another device may do something by itself.
+  int error = stat(node.c_str(), &status) == 0 ? 0 : errno;
+  if (error == 0 && !S_ISCHR(status.st_mode)) error = ENOTTY;
+  const int file = error == 0 ? ::open(node.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC) : -1;
+  if (file < 0) {
+    why_not = open_fault_of(error == 0 ? errno : error);
+    return -1;
+  }
+  error = isatty(file) != 0 ? lock_out_others(file) : ENOTTY;
+  if (error != 0) {  // what others have locked stays locked
+    why_not = open_fault_of(error);
+    ::close(file);
+    return -1;
+  }
+  error = make_raw(file);
+  why_not = error == 0 ? LinkFault::none : open_fault_of(error);
+  if (error == 0) return file;
+  close_quietly(file);
+  return -1;
+}
+
+}  // namespace
+
+// --- Opening and closing ---------------------------------------------------------------------------------------------
+
+LinkFault TtyPort::open_first(const StopDebts& owed) noexcept {
+  close();
+  try {
+    fault_ = take(owed);
+  } catch (const std::exception&) {  // out of memory
+    fault_ = LinkFault::broken;
+  }
+  if (fault_ != LinkFault::none) close();
+  return fault_;
+}
+
+LinkFault TtyPort::take(const StopDebts& owed) {
+  Target target = target_of(options_, owed);
+  if (target.why_not != LinkFault::none) return target.why_not;
+  LinkFault why_not = LinkFault::none;
+  const int file = open_terminal(target.node, why_not);
+  if (file < 0) return why_not;
+  descriptor_ = file;
+  fault_ = LinkFault::none;
+  serial_ = std::move(target.serial);
+  may_push_ = owed.has(device_serial_of(serial_));
+  if (options_.is_guarded) start_guard(target.node);
+  discard_input();
+  return fault_;
+}
+
+// A busy machine may not let it begin in time. Without a guard the motors stay off for as long as the port is open.
+void TtyPort::start_guard(const std::string& node) noexcept {
+  GuardOrders orders;
+  orders.wire = GuardOrders::Wire::serial;
+  const hapi::ExchangePacket stop = hapi::zero_exchange();
+  std::ranges::copy(stop, orders.stop.begin());
+  orders.stop_size = static_cast<std::uint8_t>(stop.size());
+  constexpr int attempts = 3;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    if (guard_.start(descriptor_, node, orders, may_push_)) return;
+  }
+}
+
+bool TtyPort::is_any_plugged_in(const StopDebts& owed) const noexcept {
+  try {
+    const std::vector<Target> targets = possible_targets(options_, list_serial_ports(options_.places));
+    return std::ranges::any_of(targets, [&owed](const Target& each) {
+      return owed.has(device_serial_of(each.serial)) && access(each.node.c_str(), R_OK | W_OK) == 0;
+    });
+  } catch (const std::exception&) {  // out of memory
+    return false;
+  }
+}
+
+void TtyPort::close() noexcept {
+  if (descriptor_ < 0) return;
+  const std::int64_t deadline_ns = monotonic_ns() + stop_patience_ns;
+  if (may_push_) insist_on_stop(deadline_ns);
+  empty_output(may_push_ ? deadline_ns : 0);
+  guard_.end();
+  may_push_ = false;
+  // The number of a file that is closed may be another file's at once: not while somebody writes by it.
+  const int file = descriptor_.exchange(-1);
+  const std::int64_t last_write_ns = monotonic_ns() + last_write_patience_ns;
+  while (is_writing_at_once_ && monotonic_ns() < last_write_ns) sleep_until_monotonic(monotonic_ns() + ns_per_ms / 10);
+  close_quietly(file);
+}
+
+// Twice, as nobody waits for the answer. Also after a packet that was torn: what of these a board takes for the rest of it
+// is a torque of next to nothing, because no byte of it is more than the address. The guard is told that this program
+// lives, or it would do the same at the same time.
+void TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
+  const hapi::ExchangePacket stop = hapi::zero_exchange();
+  for (int stops = 0; stops < closing_stops;) {
+    const std::int64_t now_ns = monotonic_ns();
+    if (now_ns >= deadline_ns) return;
+    guard_.beat(now_ns);
+    const ssize_t sent = ::write(descriptor_, stop.data(), stop.size());
+    if (sent < 0 && !is_momentary(errno)) return;
+    if (sent == static_cast<ssize_t>(stop.size())) ++stops;
+    sleep_until_monotonic(now_ns + ns_per_ms);
+  }
+}
+
+// What a board does not take is dropped: closing would wait for half a minute until it does.
+void TtyPort::empty_output(std::int64_t deadline_ns) noexcept {
+  int left = 0;
+  while (ioctl(descriptor_, TIOCOUTQ, &left) == 0 && left > 0) {
+    const std::int64_t now_ns = monotonic_ns();
+    if (now_ns >= deadline_ns) {
+      tcflush(descriptor_, TCOFLUSH);
+      return;
+    }
+    guard_.beat(now_ns);
+    sleep_until_monotonic(now_ns + ns_per_ms);
+  }
+}
+
+// --- Faults ----------------------------------------------------------------------------------------------------------
+
+void TtyPort::set_may_push(bool may_push) noexcept {
+  may_push_ = may_push;
+  guard_.set_may_push(may_push, monotonic_ns());
+}
+
+void TtyPort::heed_guard() noexcept {
+  const std::int64_t now_ns = monotonic_ns();
+  guard_.beat(now_ns);
+  if (is_overruled()) {
+    set_fault(LinkFault::overruled);
+  } else if (guard_.state() == GuardState::watching && !guard_.is_watching(now_ns)) {
+    set_fault(LinkFault::unguarded);
+  }
+}
+
+void TtyPort::failed(int error) noexcept {
+  if (is_momentary(error)) return;
+  const bool has_gone = error == EIO || error == ENXIO || error == ENODEV;
+  set_fault(has_gone ? LinkFault::unplugged : LinkFault::broken);
+}
+
+// The first one is the cause of all others.
+void TtyPort::set_fault(LinkFault fault) noexcept {
+  if (fault_ == LinkFault::none) fault_ = fault;
+}
+
+// --- Out and in ------------------------------------------------------------------------------------------------------
+
+bool TtyPort::write(std::span<const std::uint8_t> packet) noexcept {
+  heed_guard();
+  if (has_gone() || packet.empty() || packet.size() > longest_packet) return false;
+  const bool is_stop = std::ranges::equal(packet, hapi::zero_exchange());
+  if (!is_stop && (fault_ != LinkFault::none || emergency_stop::is_ordered())) return false;
+  const ssize_t sent = ::write(descriptor_, packet.data(), packet.size());
+  if (sent < 0) failed(errno);
+  // The rest would come as a packet of its own, and a board reads it as commands.
+  if (sent > 0 && static_cast<std::size_t>(sent) < packet.size()) set_fault(LinkFault::broken);
+  return sent == static_cast<ssize_t>(packet.size());
+}
+
+// Beside whatever thread is writing: the kernel lets in one at a time, and turns the other away as if the port were full.
+void TtyPort::write_at_once(std::span<const std::uint8_t> packet) noexcept {
+  const int error_before = errno;
+  is_writing_at_once_ = true;
+  const std::int64_t deadline_ns = monotonic_ns() + at_once_patience_ns;
+  for (;;) {
+    const int file = descriptor_;
+    if (file < 0 || ::write(file, packet.data(), packet.size()) >= 0) break;
+    if (!is_momentary(errno) || monotonic_ns() >= deadline_ns) break;
+    poll(nullptr, 0, 1);
+  }
+  is_writing_at_once_ = false;
+  errno = error_before;
+}
+
+std::size_t TtyPort::read(std::span<std::uint8_t> into) noexcept {
+  if (has_gone() || into.empty()) return 0;
+  const ssize_t count = ::read(descriptor_, into.data(), into.size());
+  if (count > 0) return static_cast<std::size_t>(count);
+  failed(count < 0 ? errno : EIO);  // nothing at all comes of a terminal that has been hung up
+  return 0;
+}
+
+// To flush it would leave what the kernel has received and not yet handed to the terminal.
+void TtyPort::discard_input() noexcept {
+  std::array<std::uint8_t, 512> dropped{};
+  constexpr int most_reads = 128;  // more than a terminal holds
+  for (int i = 0; i < most_reads && read(dropped) > 0; ++i) {
+  }
+}
+
+// --- Time ------------------------------------------------------------------------------------------------------------
+
+// Whether there is any, or there will be none.
+bool TtyPort::await_input(std::int64_t longest_ns) noexcept {
+  pollfd port{descriptor_, POLLIN, 0};
+  const timespec longest{0, longest_ns};  // far less than a second
+  if (ppoll(&port, 1, &longest, nullptr) <= 0) return false;
+  if ((port.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) set_fault(LinkFault::unplugged);
+  return true;
+}
+
+void TtyPort::wait_until(std::int64_t deadline_ns) noexcept {
+  heed_guard();
+  if (descriptor_ < 0 || fault_ != LinkFault::none) return sleep_until_monotonic(deadline_ns);
+  for (;;) {
+    const std::int64_t left_ns = deadline_ns - monotonic_ns();
+    if (await_input(std::clamp<std::int64_t>(left_ns, 0, longest_slice_ns)) || left_ns <= 0) return;
+    heed_guard();
+    if (fault_ != LinkFault::none) return;
+  }
+}
+
+}  // namespace ghostforce

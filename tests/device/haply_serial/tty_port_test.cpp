@@ -1,0 +1,327 @@
+// A port over a pseudo terminal: what goes through it, and what it leaves behind.
+#include "device/haply_serial/tty_port.h"
+
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <termios.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "device/haply/hapi.h"
+#include "device/motors/emergency_stop.h"
+#include "tests/device/haply_serial/mock_system.h"
+#include "tests/device/haply_serial/pseudo_terminal.h"
+
+namespace ghostforce::tty_port_test {
+namespace {
+
+constexpr std::int64_t never_ns = 1'000'000'000'000'000'000;
+
+TtyPortOptions unguarded(const std::string& path) {
+  return {.path = path, .is_guarded = false};
+}
+
+Bytes push() {
+  return bytes_of(hapi::exchange({0.02, -0.05}));
+}
+
+Bytes stop() {
+  return bytes_of(hapi::zero_exchange());
+}
+
+Bytes stops(std::size_t count) {
+  Bytes all;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Bytes one = stop();
+    all.insert(all.end(), one.begin(), one.end());
+  }
+  return all;
+}
+
+Bytes every_byte() {
+  Bytes bytes(256);
+  std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
+  return bytes;
+}
+
+Bytes read_of(TtyPort& port, std::size_t count) {
+  Bytes all;
+  while (all.size() < count && port.fault() == LinkFault::none) {
+    port.wait_until(never_ns);
+    Bytes some(64);
+    some.resize(port.read(some));
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+// --- Opening ---
+
+TEST(TtyPort, MakesOfATerminalAWire) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  EXPECT_EQ(port.fault(), LinkFault::absent);
+  EXPECT_TRUE(port.waits_to_open());
+  ASSERT_EQ(port.open(), LinkFault::none);
+  termios line{};
+  ASSERT_EQ(tcgetattr(terminal.far_end(), &line), 0);
+  EXPECT_EQ(line.c_lflag & (ICANON | ECHO | ISIG | IEXTEN), 0U);
+  EXPECT_EQ(line.c_oflag & OPOST, 0U);
+  EXPECT_EQ(line.c_iflag & (IXON | IXOFF | IXANY | ICRNL | INLCR | IGNCR | ISTRIP | PARMRK | BRKINT), 0U);
+  EXPECT_EQ(line.c_cflag & (CSIZE | PARENB | CSTOPB | CRTSCTS | HUPCL), tcflag_t{CS8});
+  EXPECT_EQ(line.c_cflag & (CLOCAL | CREAD), tcflag_t{CLOCAL | CREAD});
+  EXPECT_EQ(cfgetispeed(&line), speed_t{B115200});
+  EXPECT_EQ(cfgetospeed(&line), speed_t{B115200});
+}
+
+TEST(TtyPort, FollowsLinksAndIsKnownByTheirEnd) {
+  const PseudoTerminal terminal;
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink(terminal.path(), folder / "board");
+  TtyPort port(unguarded(folder / "board"));
+  EXPECT_EQ(port.serial(), "");
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_EQ(port.serial(), terminal.path());
+  port.close();
+  EXPECT_EQ(port.serial(), terminal.path());
+}
+
+TEST(TtyPort, IsKnownByTheSerialNumberOfItsUsbDevice) {
+  const PseudoTerminal terminal;
+  const MockSystem system;
+  system.add("ttyACM0", {"1234", "5678", "ABC"}, terminal.path());
+  for (const std::string& path : {system.node("ttyACM0"), system.add_by_id("usb-a-board", "ttyACM0")}) {
+    TtyPort port({.path = path, .is_guarded = false, .places = system.places()});
+    ASSERT_EQ(port.open(), LinkFault::none);
+    EXPECT_EQ(port.serial(), "ABC");
+  }
+}
+
+TEST(TtyPort, ForgetsWhatCameInBeforeItWasOpened) {
+  const PseudoTerminal terminal;
+  const int other = open(terminal.path().c_str(), O_RDWR | O_NOCTTY);  // keeps the near end there
+  terminal.send(every_byte());
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  terminal.send(stop());
+  EXPECT_EQ(read_of(port, stop().size()), stop());
+  close(other);
+}
+
+TEST(TtyPort, TakesTheOnlyBoardThatThereIs) {
+  const PseudoTerminal board;
+  const PseudoTerminal other;
+  const MockSystem system;
+  system.add("ttyACM0", {"1234", "5678", "OTHER"}, other.path());
+  system.add("ttyACM1", {"2341", "804d", "BOARD"}, board.path());
+  TtyPort port({.is_guarded = false, .places = system.places()});
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_EQ(port.serial(), "BOARD");
+}
+
+TEST(TtyPort, ChoosesNoneOfSeveralBoards) {
+  const PseudoTerminal one;
+  const PseudoTerminal two;
+  const MockSystem system;
+  TtyPort port({.is_guarded = false, .places = system.places()});
+  EXPECT_EQ(port.open(), LinkFault::absent);
+  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
+  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  EXPECT_EQ(port.open(), LinkFault::absent);
+}
+
+// --- Debts ---
+
+TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
+  const PseudoTerminal one;
+  const PseudoTerminal two;
+  const MockSystem system;
+  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
+  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  StopDebts owed;
+  owed.add(device_serial_of("GONE"));
+  TtyPort any({.is_guarded = false, .places = system.places()});
+  EXPECT_FALSE(any.is_any_plugged_in(owed));
+  owed.add(device_serial_of("TWO"));
+  EXPECT_TRUE(any.is_any_plugged_in(owed));
+  ASSERT_EQ(any.open_first(owed), LinkFault::none);
+  EXPECT_EQ(any.serial(), "TWO");
+  any.close();
+  EXPECT_EQ(two.receive_all(), stops(2));  // it may have been pushing all the time
+
+  TtyPort chosen({.path = system.node("ttyACM0"), .is_guarded = false, .places = system.places()});
+  ASSERT_EQ(chosen.open_first(owed), LinkFault::none);
+  EXPECT_EQ(chosen.serial(), "TWO");
+  ASSERT_EQ(chosen.open(), LinkFault::none);
+  EXPECT_EQ(chosen.serial(), "ONE");
+}
+
+TEST(TtyPort, KnowsADebtByThePathToo) {
+  const PseudoTerminal terminal;
+  StopDebts owed;
+  owed.add(device_serial_of(terminal.path()));
+  const TtyPort port(unguarded(terminal.path()));
+  EXPECT_TRUE(port.is_any_plugged_in(owed));
+  EXPECT_FALSE(port.is_any_plugged_in({}));
+}
+
+// --- Bytes ---
+
+TEST(TtyPort, PassesEveryByteBothWays) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  const Bytes bytes = every_byte();
+  for (std::size_t first = 0; first < bytes.size(); first += 64) {
+    ASSERT_TRUE(port.write(std::span(bytes).subspan(first, 64)));
+  }
+  EXPECT_EQ(terminal.receive(bytes.size()), bytes);
+  terminal.send(bytes);
+  EXPECT_EQ(read_of(port, bytes.size()), bytes);
+  EXPECT_EQ(port.fault(), LinkFault::none);
+}
+
+TEST(TtyPort, SendsAPacketInOnePiece) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  for (const Bytes& packet : {push(), bytes_of(hapi::encode(hapi::SetUp{}))}) {
+    ASSERT_TRUE(port.write(packet));
+    EXPECT_EQ(terminal.receive(), packet);
+  }
+}
+
+TEST(TtyPort, SendsNothingThatIsNoPacket) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  EXPECT_FALSE(port.write(push()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_FALSE(port.write({}));
+  EXPECT_FALSE(port.write(Bytes(65)));
+  port.close();
+  EXPECT_FALSE(port.write(push()));
+  EXPECT_EQ(terminal.receive_all(), Bytes{});
+}
+
+TEST(TtyPort, ReadsNothingWhereNothingIs) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  Bytes into(9);
+  EXPECT_EQ(port.read(into), 0U);
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_EQ(port.read(into), 0U);
+  port.wait_until(port.now_ns() - 1);
+  EXPECT_EQ(port.fault(), LinkFault::none);
+}
+
+TEST(TtyPort, ForgetsInputThatIsNotTaken) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  terminal.send(every_byte());
+  port.wait_until(never_ns);
+  port.discard_input();
+  terminal.send(stop());
+  EXPECT_EQ(read_of(port, stop().size()), stop());
+}
+
+// --- Stops ---
+
+TEST(TtyPort, ClosesWithZerosWhereMotorsMayPush) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  port.set_may_push(true);
+  port.close();
+  EXPECT_EQ(terminal.receive_all(), stops(2));
+}
+
+TEST(TtyPort, ClosesWithoutAWordWhereMotorsAreOff) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  port.set_may_push(true);
+  port.set_may_push(false);
+  port.close();
+  ASSERT_EQ(port.open(), LinkFault::none);
+  port.close();
+  EXPECT_EQ(terminal.receive_all(), Bytes{});
+}
+
+TEST(TtyPort, StopsAtOnce) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  port.stop_at_once();
+  ASSERT_EQ(port.open(), LinkFault::none);
+  errno = ERANGE;
+  port.stop_at_once();
+  EXPECT_EQ(errno, ERANGE);
+  port.write_at_once(push());
+  Bytes expected = stop();
+  const Bytes second = push();
+  expected.insert(expected.end(), second.begin(), second.end());
+  EXPECT_EQ(terminal.receive(expected.size()), expected);
+  port.close();
+  port.stop_at_once();
+  EXPECT_EQ(terminal.receive_all(), Bytes{});
+}
+
+// In a process of its own, since it cannot be taken back.
+TEST(TtyPort, SendsZerosAloneAfterTheEmergencyStop) {
+  const PseudoTerminal terminal;
+  const auto stop_and_go_on = [&terminal] {
+    TtyPort port(unguarded(terminal.path()));
+    if (port.open() != LinkFault::none) _exit(1);
+    emergency_stop::watch(&port);
+    emergency_stop::stop_motors();
+    if (port.write(push()) || port.write(bytes_of(hapi::encode(hapi::SetUp{})))) _exit(2);
+    _exit(port.write(stop()) ? 0 : 3);
+  };
+  EXPECT_EXIT(stop_and_go_on(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(terminal.receive_all(), stops(3));
+}
+
+// --- The guard ---
+
+TEST(TtyPort, HasAGuard) {
+  const PseudoTerminal terminal;
+  TtyPort port({.path = terminal.path()});
+  EXPECT_FALSE(port.is_guarded());
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_TRUE(port.is_guarded());
+  EXPECT_TRUE(port.write(stop()));
+  EXPECT_EQ(terminal.receive(), stop());
+  port.close();
+  EXPECT_FALSE(port.is_guarded());
+  EXPECT_EQ(terminal.receive_all(), Bytes{});  // it has let go of the port as well
+  EXPECT_EQ(port.open(), LinkFault::none);
+  EXPECT_TRUE(TtyPort(unguarded(terminal.path())).is_guarded());  // needs none
+}
+
+TEST(TtyPort, TheGuardStopsMotorsOfAProgramThatWasKilled) {
+  const PseudoTerminal terminal;
+  const pid_t program = fork();
+  if (program == 0) {
+    TtyPort port({.path = terminal.path()});
+    if (port.open() != LinkFault::none || !port.is_guarded()) _exit(1);
+    port.set_may_push(true);
+    port.write(push());
+    for (;;) port.wait_until(never_ns);
+  }
+  EXPECT_EQ(terminal.receive(push().size()), push());
+  kill(program, SIGKILL);
+  waitpid(program, nullptr, 0);
+  const Bytes after = terminal.receive_all();
+  const std::size_t count = after.size() / stop().size();
+  EXPECT_GE(count, 10U);
+  EXPECT_EQ(after, stops(count));
+}
+
+}  // namespace
+}  // namespace ghostforce::tty_port_test
