@@ -15,13 +15,16 @@
 #include "app/cli/command.h"
 #include "app/cli/option.h"
 #include "app/files/falcon_calibration_file.h"
+#include "app/files/haply_calibration_file.h"
 #include "app/files/xdg_folders.h"
+#include "app/shell/haply_input_link.h"
 #include "app/shell/spacemouse_input_link.h"
 #include "app/tools/doctor/readiness.h"
 #include "core/safety.h"
 #include "device/falcon/falcon_input.h"
 #include "device/spacemouse/hid_spacemouse_input.h"
 #include "device/virtual_falcon/injected_fault.h"
+#include "device/virtual_haply/virtual_haply_input.h"
 
 namespace ghostforce {
 namespace {
@@ -36,7 +39,8 @@ constexpr SpaceMouseWords spacemouse_words{
         "in again.",
     .not_opened = "One is plugged in, but it cannot be opened: is another program using it?"};
 
-std::vector<ReadinessStepState> readiness_with_motors(const FalconReport& report, const MotorReport& motors) {
+template <typename Report>
+std::vector<ReadinessStepState> readiness_with_motors(const Report& report, const MotorReport& motors) {
   return readiness_of(report, &motors);
 }
 
@@ -49,13 +53,40 @@ InputMaker<FalconInput> falcon_kind(const FtdiLinkOptions& cable) {
           }};
 }
 
-std::vector<InputEntry> desktop_inputs(const FtdiLinkOptions& cable) {
-  return portable_inputs(readiness_with_motors, {linked<SpaceMouseInputLink>(spacemouse_kind, spacemouse_words),
-                                                 falcon_entry(falcon_kind(cable), readiness_with_motors)});
+InputMaker<HaplyInput> haply_kind(const TtyPortOptions& port) {
+  return {{{"haply", "Haply 2DIY",
+            "A Haply 2DIY on a serial port: its handle is the goal, and with its motors on it is the device."}},
+          [port](const Scene& scene, const InputOptions& options) {
+            return std::make_unique<HaplyInput>(std::make_unique<TtyPort>(port), options.haply, scene.view.center);
+          }};
+}
+
+const InputMaker<VirtualHaplyInput> virtual_haply_kind{
+    {{"virtual-haply", "Virtual Haply",
+      "The Haply's driver with a simulated board, arms and hand behind it; drag in the scene to guide that hand."},
+     /*is_scripted=*/false,
+     /*needs_recording=*/false,
+     /*hand_is_simulated=*/true},
+    [](const Scene& scene, const InputOptions& options) {
+      auto board = std::make_unique<PtyBoard>(
+          PtyBoard::Options{.device = {.variant = options.haply.usual.variant, .fault = options.injected_haply_fault}});
+      auto port = std::make_unique<TtyPort>(TtyPortOptions{.path = board->port(), .is_guarded = false});
+      return std::make_unique<VirtualHaplyInput>(std::move(board), std::move(port), options.haply, scene);
+    }};
+
+std::vector<InputEntry> desktop_inputs(const Cables& cables) {
+  const auto of_falcon = readiness_with_motors<FalconReport>;
+  const auto of_haply = readiness_with_motors<HaplyReport>;
+  std::vector<InputEntry> inputs =
+      portable_inputs(of_falcon, {linked<SpaceMouseInputLink>(spacemouse_kind, spacemouse_words),
+                                  falcon_entry(falcon_kind(cables.falcon), of_falcon),
+                                  haply_entry(haply_kind(cables.haply), of_haply)});
+  inputs.push_back(virtual_haply_entry(virtual_haply_kind, of_haply));
+  return inputs;
 }
 
 std::vector<InputEntry> simulated_inputs() {
-  return portable_inputs(readiness_with_motors);
+  return portable_inputs(readiness_with_motors<FalconReport>);
 }
 
 EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepState> readiness,
@@ -66,7 +97,7 @@ EndOfRun end_of_run(const MotorReport& motors, std::span<const ReadinessStepStat
   // Whoever could read the handle has had what they came for.
   const auto step = std::ranges::find_if(readiness, &ReadinessStepState::is_current);
   if (step == readiness.end() || step->step > ReadinessStep::homed) return of_input;
-  const char* const what = step->step == ReadinessStep::seen ? "No Falcon is plugged in" : "The Falcon is not ready";
+  const char* const what = step->step == ReadinessStep::seen ? "No device is plugged in" : "The device is not ready";
   return {exit_code_of(readiness, true), fmt::format("{}. {}", what, step->words)};
 }
 
@@ -91,9 +122,14 @@ void tell_of_left_pushing(const DeviceSerial& serial) noexcept {
   say("{}\n", left_pushing_words(serial));
 }
 
+void tell_of_haply_left_pushing(const DeviceSerial& serial) noexcept {
+  say("The motors of the Haply {} may still push: pull the plug of its power supply now, then its USB cable.\n",
+      serial.text());
+}
+
 }  // namespace
 
-void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
+void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
   files.reads(add_option(command, "--firmware FILE", firmware,
                          "The Falcon's firmware file; default: $GHOSTFORCE_FIRMWARE, else "
                          "~/.config/ghostforce/falcon/firmware.bin"));
@@ -101,22 +137,46 @@ void FalconSetUp::attach(CLI::App& command, FileOptions& files) {
              "Serial number of the Falcon to use; default: the first Falcon");
   add_option(command, "--falcon-usb-id VVVV:PPPP", usb_id, "USB ID of the Falcon, if it is not 0403:cb48")
       ->check(refuse_other_than_usb_id);
-  const std::vector<std::string_view> names = names_of(injected_fault_catalog());
+  files.reads(add_option(command, "--haply-port PATH", haply_port,
+                         "Serial port of the Haply, as /dev/ttyACM0; default: that of the only board that is known"));
+  const std::vector<std::string_view> variants = names_of(haply_variant_catalog());
+  add_option(command, "--haply-variant NAME", haply_variant,
+             fmt::format("Which Haply it is, where no calibration file says so: {}; default: {}", listed(variants),
+                         usual_haply_variant().name))
+      ->check(one_of(variants));
+  const std::vector<std::string_view> of_falcon = names_of(injected_fault_catalog());
+  const std::vector<std::string_view> of_haply = names_of(injected_haply_fault_catalog());
+  std::vector<std::string_view> all = of_falcon;
+  for (const std::string_view name : of_haply) {
+    if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  }
   repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave,
-                        fmt::format("With --input virtual-falcon: faults to inject. {}", listed(names)))
+                        fmt::format("Faults to inject. With --input virtual-falcon: {}. With --input virtual-haply: {}",
+                                    listed(of_falcon), listed(of_haply)))
                  ->delimiter(','))
-      ->check(one_of(names));
+      ->check(one_of(all));
 }
 
-void FalconSetUp::refuse_misbehaviour_of_others(std::string_view input) const {
-  if (misbehave.empty() || input == virtual_falcon_kind.name) return;
-  throw Failure(
-      ExitCode::wrong_call,
-      fmt::format("--misbehave is about the virtual Falcon, but --input is {}; add --input {}, or leave it out",
-                  quoted_text(input, longest_path), virtual_falcon_kind.name));
+void DeviceSetUp::refuse_misbehaviour_of_others(std::string_view input) const {
+  const bool is_haply = input == virtual_haply_kind.name;
+  for (const std::string& name : misbehave) {
+    if (!is_haply && input != virtual_falcon_kind.name) {
+      throw Failure(
+          ExitCode::wrong_call,
+          fmt::format("--misbehave is about virtual devices, but --input is {}; add --input {} or --input {}, or leave "
+                      "it out",
+                      quoted_text(input, longest_path), virtual_falcon_kind.name, virtual_haply_kind.name));
+    }
+    const bool knows = is_haply ? find_injected_haply_fault(name) != nullptr : find_injected_fault(name) != nullptr;
+    if (!knows) {
+      throw Failure(ExitCode::wrong_call,
+                    fmt::format("--misbehave {}: the {} has no such fault; --help lists those of each device", name,
+                                is_haply ? virtual_haply_kind.title : virtual_falcon_kind.title));
+    }
+  }
 }
 
-std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
+std::optional<FirmwareImage> DeviceSetUp::read_firmware_file() const {
   const auto path = firmware_path(firmware.empty() ? std::nullopt : std::optional<std::filesystem::path>(firmware));
   if (!path) return std::nullopt;
   try {
@@ -128,20 +188,28 @@ std::optional<FirmwareImage> FalconSetUp::read_firmware_file() const {
   }
 }
 
-InputOptions FalconSetUp::input_options(const std::optional<FirmwareImage>& image) const {
+InputOptions DeviceSetUp::input_options(const std::optional<FirmwareImage>& image) const {
   InputOptions options;
   if (image) options.falcon.firmware = image->bytes;
   options.falcon.calibrations = load_falcon_calibrations();
   options.falcon.debts = std::make_shared<StopDebts>();
   options.falcon.when_left_pushing = tell_of_left_pushing;
   // They have been looked at when the command line was.
-  for (const std::string& name : misbehave) find_injected_fault(name)->add(options.injected_fault);
+  options.haply.calibrations = load_haply_calibrations();
+  if (!haply_variant.empty()) options.haply.usual = find_haply_variant(haply_variant)->calibration;
+  options.haply.debts = std::make_shared<StopDebts>();
+  options.haply.when_left_pushing = tell_of_haply_left_pushing;
+  for (const std::string& name : misbehave) {
+    if (const auto* const of_falcon = find_injected_fault(name)) of_falcon->add(options.injected_fault);
+    if (const auto* const of_haply = find_injected_haply_fault(name)) of_haply->add(options.injected_haply_fault);
+  }
   return options;
 }
 
-FtdiLinkOptions FalconSetUp::cable() const {
+Cables DeviceSetUp::cables() const {
   // It has been looked at when the command line was.
-  return {.id = usb_id.empty() ? falcon_usb_id : parse_usb_id(usb_id).value(), .serial = serial};
+  return {.falcon = {.id = usb_id.empty() ? falcon_usb_id : parse_usb_id(usb_id).value(), .serial = serial},
+          .haply = {.path = haply_port}};
 }
 
 }  // namespace ghostforce

@@ -1,4 +1,4 @@
-// ghostforce doctor: what lies between a Falcon and its use, step by step, and what to do about it.
+// ghostforce doctor: what lies between a device and its use, step by step, and what to do about it.
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -24,6 +24,7 @@
 #include "app/shell/desktop/offscreen.h"
 #include "app/shell/desktop/renderer.h"
 #include "app/tools/doctor/diagnosis.h"
+#include "app/tools/doctor/haply_diagnosis.h"
 #include "app/tools/doctor/measure_command.h"
 #include "app/tools/doctor/readiness.h"
 #include "app/tools/doctor/udev_rule.h"
@@ -31,6 +32,7 @@
 #include "device/servo/realtime.h"
 #include "device/spacemouse/hid_spacemouse_input.h"
 #include "device/virtual_falcon/virtual_falcon_input.h"
+#include "device/virtual_haply/virtual_haply_input.h"
 
 namespace ghostforce {
 namespace {
@@ -41,7 +43,7 @@ constexpr double wait_on_terminal_s = 30.0;
 constexpr std::chrono::milliseconds time_to_look{200};
 
 struct DoctorOptions {
-  FalconSetUp falcon;
+  DeviceSetUp devices;
   std::string input = "falcon";
   std::optional<double> wait_s;  // empty: as long as somebody is probably there
   bool json = false;
@@ -53,6 +55,14 @@ struct DoctorOptions {
 };
 
 // What can be examined.
+std::vector<std::string_view> examined_names() {
+  return {"falcon", virtual_falcon_kind.name, "haply", virtual_haply_kind.name};
+}
+
+bool is_haply(const DoctorOptions& options) {
+  return options.input == "haply" || options.input == virtual_haply_kind.name;
+}
+
 std::array<InputMaker<FalconInput>, 2> falcon_kinds(const FtdiLinkOptions& cable) {
   return {falcon_kind(cable), InputMaker<FalconInput>{virtual_falcon_kind, virtual_falcon_kind.make}};
 }
@@ -71,7 +81,8 @@ class LiveLine {
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;
 
-  void show(const FalconReport& report) {
+  template <typename Report>
+  void show(const Report& report) {
     if (!shows_) return;
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;
@@ -106,21 +117,47 @@ std::vector<RendererState> renderer_states() {
   return states;
 }
 
+int examine_haply(const DoctorOptions& options) {
+  const InputOptions input_options = options.devices.input_options({});
+  HaplyDiagnosis diagnosis;
+  diagnosis.ports = list_serial_ports();
+  diagnosis.udev_rule = installed_udev_rule(udev_folders());
+  // This thread drives the device as the servo's would.
+  diagnosis.realtime = request_realtime();
+  {
+    const bool is_virtual = options.input == virtual_haply_kind.name;
+    const std::unique_ptr<HaplyInput> input =
+        is_virtual ? virtual_haply_kind.make(Scene{}, input_options)
+                   : haply_kind(options.devices.cables().haply).make(Scene{}, input_options);
+    LiveLine live(is_somebody_there());
+    diagnosis.report = examine(*input, [&](const HaplyReport& report) {
+      stop_if_interrupted();
+      live.show(report);
+    });
+  }
+  diagnosis.has_calibration = std::ranges::find(input_options.haply.calibrations, diagnosis.report.serial,
+                                                &HaplyCalibration::serial) != input_options.haply.calibrations.end();
+  diagnosis.verdict = exit_code_of(readiness_of(diagnosis.report, nullptr), false);
+  print(options.json ? json_of(diagnosis) : text_of(diagnosis));
+  return static_cast<int>(diagnosis.verdict);
+}
+
 int doctor(const DoctorOptions& options) {
   if (options.install_udev) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
   }
-  options.falcon.refuse_misbehaviour_of_others(options.input);
-  const auto kinds = falcon_kinds(options.falcon.cable());
+  options.devices.refuse_misbehaviour_of_others(options.input);
+  if (is_haply(options)) return examine_haply(options);
+  const auto kinds = falcon_kinds(options.devices.cables().falcon);
   const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
   if (options.measure) {
-    const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
-    const InputOptions input = options.falcon.input_options(firmware);
+    const std::optional<FirmwareImage> firmware = options.devices.read_firmware_file();
+    const InputOptions input = options.devices.input_options(firmware);
     return measure_with_doctor({.firmware = firmware,
                                 .falcon = input.falcon,
                                 .injected_fault = input.injected_fault,
-                                .cable = options.falcon.cable(),
+                                .cable = options.devices.cables().falcon,
                                 .is_virtual = kind.hand_is_simulated,
                                 .report = options.report,
                                 .calibration = options.calibration});
@@ -132,9 +169,9 @@ int doctor(const DoctorOptions& options) {
   diagnosis.renderers = renderer_states();  // while there is one thread
   HidSpaceMouseInput spacemouse;            // looks for one meanwhile
   const auto began = std::chrono::steady_clock::now();
-  diagnosis.firmware = options.falcon.read_firmware_file();
-  const InputOptions input_options = options.falcon.input_options(diagnosis.firmware);
-  diagnosis.usb = list_falcons(options.falcon.cable().id);
+  diagnosis.firmware = options.devices.read_firmware_file();
+  const InputOptions input_options = options.devices.input_options(diagnosis.firmware);
+  diagnosis.usb = list_falcons(options.devices.cables().falcon.id);
   diagnosis.udev_rule = installed_udev_rule(udev_folders());
   // This thread drives the device as the servo's would.
   diagnosis.realtime = request_realtime();
@@ -170,8 +207,9 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
           command, "--wait S", options->wait_s,
           "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->check(number_between(0.0, 3600.0, "s"));
-  add_option(command, "--input NAME", options->input, "falcon, or virtual-falcon to try this out; default: falcon")
-      ->check(one_of(names_of(falcon_kinds({}))))
+  add_option(command, "DEVICE,--input NAME", options->input,
+             "falcon or haply, or virtual-falcon or virtual-haply to try this out; default: falcon")
+      ->check(one_of(examined_names()))
       ->excludes(install);
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
@@ -182,7 +220,7 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
   files.writes(
       add_option(command, "--calibration FILE.toml", options->calibration,
                  "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking"));
-  options->falcon.attach(command, files);
+  options->devices.attach(command, files);
   return [options] { return doctor(*options); };
 }
 

@@ -62,7 +62,7 @@ struct RunOptions {
   std::string input{mouse_hand.name};
   std::optional<std::string> record;
   std::optional<std::string> record_session;
-  FalconSetUp falcon;
+  DeviceSetUp devices;
   std::string shader_folder;
   bool no_hints = false;
   bool has_audience = false;
@@ -153,15 +153,15 @@ int run(const RunOptions& options) {
   const std::optional<Run> recording = load_recording(options);
   Scene loaded = scene_for(options, recording);
   refuse_goal_of_other_hand(options);
-  options.falcon.refuse_misbehaviour_of_others(options.input);
+  options.devices.refuse_misbehaviour_of_others(options.input);
   const std::shared_ptr<const Lesson> lesson = options.lesson.load();
   const bool is_kiosk = options.kiosk.is_on;
   StoredPreferences stored = is_kiosk ? for_visitors(load_preferences()) : load_preferences();
   const LessonProgress progress = is_kiosk ? LessonProgress{} : load_lesson_progress(stored.remarks);
   const SetUp set_up = options.set_up.set_up(std::move(loaded), stored.preferences.face);
-  const std::optional<FirmwareImage> firmware = options.falcon.read_firmware_file();
+  const std::optional<FirmwareImage> firmware = options.devices.read_firmware_file();
   if (firmware) say("{}\n", firmware_words(firmware));
-  InputOptions input_options = options.falcon.input_options(firmware);
+  InputOptions input_options = options.devices.input_options(firmware);
   if (recording) {
     input_options.recorded_hand =
         std::make_shared<const GoalPath>(goal_path_of(*recording, set_up.scene.settings.rate));
@@ -200,7 +200,7 @@ int run(const RunOptions& options) {
        .language = preferences.language,
        .kiosk_visit = options.kiosk.lessons(lesson),
        .lesson_progress = progress,
-       .inputs = desktop_inputs(options.falcon.cable()),
+       .inputs = desktop_inputs(options.devices.cables()),
        .input = std::string(recording ? replayed_hand.name : std::string_view(options.input)),
        .painter = cairo_file_painter(),
        .record = options.record,
@@ -311,7 +311,8 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
   options->set_up.attach(command, files);
   files.reads(add_option(command, "--input NAME", options->input,
                          "What moves the goal: mouse, script (the scene's scripted hand), circle (round a circle "
-                         "inside the wall), spacemouse, falcon, virtual-falcon (a rehearsal) or replay:FILE (a "
+                         "inside the wall), spacemouse, falcon, virtual-falcon (a rehearsal), haply, virtual-haply "
+                         "(likewise) or replay:FILE (a "
                          "recording, with its own scene unless you name one); default: mouse")
                   ->check(refuse_other_than_input)
                   ->check(suggests(input_names(replay_begins()))),
@@ -330,7 +331,7 @@ std::function<int()> attach_run(CLI::App& command, FileOptions& files) {
                    ->check(refuse_standard_output));
   options->lesson.attach(command, files, "the one that was chosen in the window, else the environment's");
   options->kiosk.attach(command);
-  options->falcon.attach(command, files);
+  options->devices.attach(command, files);
   command.add_flag("--audience", options->has_audience,
                    "Open a second window for the audience, with the stage alone; the first one has your notes "
                    "(docs/stage.md)");

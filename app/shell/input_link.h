@@ -19,16 +19,20 @@
 #include "core/scene.h"
 #include "core/snapshot.h"
 #include "device/falcon/falcon.h"
+#include "device/haply/haply.h"
 #include "device/input/input.h"
 #include "device/report/input_choice.h"
 #include "device/virtual_falcon/virtual_link.h"
+#include "device/virtual_haply/haply_fault.h"
 
 namespace ghostforce {
 
 // What making an input may need besides the scene.
 struct InputOptions {
   FalconOptions falcon;
-  InjectedFault injected_fault;  // of the virtual Falcon
+  HaplyOptions haply;
+  InjectedFault injected_fault;             // of the virtual Falcon
+  InjectedHaplyFault injected_haply_fault;  // of the virtual Haply
   VirtualLink::Clock virtual_falcon_clock = VirtualLink::Clock::monotonic;
   std::shared_ptr<const GoalPath>
       recorded_hand{};  // what replay replays; null: none is loaded, replay the scene's path

@@ -35,7 +35,9 @@ std::optional<PantographPose> pose_at(const PantographGeometry& geometry,
   const Vector<2> between = pose.elbows[1] - pose.elbows[0];
   const double distance = glm::length(between);
   const double rise_squared = geometry.distal_length * geometry.distal_length - 0.25 * distance * distance;
-  if (!(distance > parallel * geometry.distal_length) || !(rise_squared > 0.0)) return std::nullopt;
+  // With the second elbow beyond the first one, the arms would have passed through each other.
+  const bool are_apart = between.x > 0.0 && distance > parallel * geometry.distal_length;
+  if (!are_apart || !(rise_squared > 0.0)) return std::nullopt;
   const Vector<2> across = Vector<2>(-between.y, between.x) / distance;
   pose.handle = pose.elbows[0] + 0.5 * between + std::sqrt(rise_squared) * across;
   for (std::size_t arm = 0; arm < 2; ++arm) {

@@ -26,8 +26,8 @@ struct PantographPose {
   Matrix<2> jacobian{0.0};                // ∂handle/∂angles: a column for each arm [m/rad]
 };
 
-// Where the handle is, on the side of the elbows that is away from the base. Empty: the elbows are too far apart or
-// meet, the distal links are in line, or an angle is not finite.
+// Where the handle is, on the side of the elbows that is away from the base. Empty: the elbows are too far apart, meet or
+// have changed sides, the distal links are in line, or an angle is not finite.
 std::optional<PantographPose> pose_at(const PantographGeometry& geometry, const std::array<double, 2>& angles) noexcept;
 
 // The angles of the driven links with both elbows outwards. Empty: out of reach.

@@ -1,8 +1,8 @@
 // ArmsGeometry: where the handle of two arms on two motors is, and how it moves with them. Written for the simulated
 // device alone, without a look at the driver's kinematics: the two are to be checked against each other.
 //
-// Motor 1 is at the origin, motor 2 on the x axis; y points away from the motors, towards the person. Angles are those of
-// the driven links, counter-clockwise from +x. m, rad. A plain value, any thread; never allocates or throws.
+// Motor 1 is at the origin, motor 2 on the x axis; y points away from the motors, towards the person. Angles are those
+// of the driven links, counter-clockwise from +x. m, rad. A plain value, any thread; never allocates or throws.
 #pragma once
 
 #include <optional>

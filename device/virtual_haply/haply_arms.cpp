@@ -18,6 +18,9 @@ constexpr double most_stretched = 0.999;
 // Within which of an end its edge is already kept to, so that what is bent about it is not passed.
 constexpr double edge = 1e-6;
 
+// Of the difference of two energies: less would stop what creeps [J].
+constexpr double rounding = 1e-15;
+
 double least_of(const std::array<double, HaplyArms::ends>& room) noexcept {
   return *std::ranges::min_element(room);
 }
@@ -66,12 +69,22 @@ void HaplyArms::step(double duration, const Vector<2>& torques, const HandPull& 
   if (least_of(room(geometry_, angles_ + duration * speeds)) < edge) {
     speeds = held_by_ends(speeds, inertia, duration);
   }
-  if (move_to(angles_ + duration * speeds)) {
-    speeds_ = speeds;
-    velocity_ = place_.jacobian * speeds;
-  } else {
-    speeds_ = velocity_ = Vector<2>{0.0};
-  }
+  const double most = kinetic_energy() + stored_energy(hand) + duration * glm::dot(torques, speeds);
+  if (!move_to(angles_ + duration * speeds)) speeds = Vector<2>{0.0};
+  speeds_ = speeds;
+  velocity_ = place_.jacobian * speeds;
+  // What is bent about the way of a step may have given some energy, which is taken back.
+  const double moving = kinetic_energy();
+  const double may_move = std::max(0.0, most - stored_energy(hand));
+  if (moving <= may_move + rounding) return;
+  const double share = std::sqrt(may_move / moving);
+  speeds_ *= share;
+  velocity_ *= share;
+}
+
+double HaplyArms::stored_energy(const HandPull& hand) const noexcept {
+  const Vector<2> way = hand.holds_pose ? angles_ - hand.pose : place_.handle - hand.goal;
+  return 0.5 * (hand.holds_pose ? pose_stiffness : hand.stiffness) * glm::dot(way, way);
 }
 
 // Each end takes of the motion what leads beyond it, and gives none back.

@@ -1,7 +1,7 @@
 // HaplyArms: two arms on two motors, as they really move. The motors' shafts and driven links are rotary inertias with
-// friction, the handle is a mass, and a hand is a spring and damper on it; or holds the links themselves, where they are
-// to be. They stop at hard ends: where the distal links would be stretched out, where either arm would be straight or
-// folded, and where the elbows would meet. SI units, angles as in arms_geometry.h.
+// friction, the handle is a mass, and a hand is a spring and damper on it; or holds the links themselves, where they
+// are to be. They stop at hard ends: where the distal links would be stretched out, where either arm would be straight
+// or folded, and where the elbows would meet. SI units, angles as in arms_geometry.h.
 //
 // Each step is an implicit one, and the motion before it is first projected on what the links allow: without torque,
 // energy does not grow, whatever the stiffness and the time step. Neither allocates nor throws; one thread.
@@ -58,6 +58,7 @@ class HaplyArms {
  private:
   Vector<2> held_by_ends(Vector<2> speeds, const Matrix<2>& inertia, double duration) const noexcept;
   bool move_to(const Vector<2>& angles) noexcept;
+  double stored_energy(const HandPull& hand) const noexcept;  // in the hand [J]
 
   ArmsGeometry geometry_;
   Options options_;

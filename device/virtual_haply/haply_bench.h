@@ -1,11 +1,11 @@
-// HaplyBench: the whole simulated device behind its cable: board, arms, a hand and what goes wrong. It reads no clock and
-// has no thread: each call says what time it is, and what has happened up to then has happened. Both ways to it
+// HaplyBench: the whole simulated device behind its cable: board, arms, a hand and what goes wrong. It reads no clock
+// and has no thread: each call says what time it is, and what has happened up to then has happened. Both ways to it
 // (virtual_port.h, pty_board.h) are made of this. Allocates and throws nothing; one thread, but for what is said of
 // inject(), lead_hand() and hold_zero_pose(). Times in ns, on any clock that does not go back.
 //
-// Motor and wiring: the torque at a shaft is the port's duty (haply_board.h) × what the motor gives in full × a sign, which
-// with the variant's directions on an M0 or an M3 makes a positive torque in an exchange increase that arm's angle. The
-// same wiring on a dev kit makes the motor at port 1 push the other way, because that board's pins do.
+// Motor and wiring: the torque at a shaft is the port's duty (haply_board.h) × what the motor gives in full × a sign,
+// which with the variant's directions on an M0 or an M3 makes a positive torque in an exchange increase that arm's
+// angle. The same wiring on a dev kit makes the motor at port 1 push the other way, because that board's pins do.
 #pragma once
 
 #include <array>
@@ -45,8 +45,8 @@ class HaplyBench {
   };
 
   // What a host must send so that angles are right, by arm: what the variant's table says; on an M0 twice that, as its
-  // firmware reckons with half of what it is sent. (Whether a real device with an M0 is like that, or misses half of the
-  // edges as well, so that the table's numbers are right there, only a device can tell: give the table's numbers in
+  // firmware reckons with half of what it is sent. (Whether a real device with an M0 is like that, or misses half of
+  // the edges as well, so that the table's numbers are right there, only a device can tell: give the table's numbers in
   // Options::counts_per_turn then.)
   static Vector<2> right_counts_per_turn(const VirtualHaplyVariant& variant, HaplyBoard::Kind kind) noexcept;
 

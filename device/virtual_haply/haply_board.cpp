@@ -15,7 +15,7 @@ constexpr std::int64_t never_ns = std::numeric_limits<std::int64_t>::max();
 template <typename Places>
 std::size_t count_of(const Places& places, std::size_t size, std::uint8_t address) noexcept {
   std::size_t count = 0;
-  for (std::size_t i = 0; i < size; ++i) count += places[i].address == address ? 1 : 0;
+  for (std::size_t i = 0; i < size; ++i) count += places[i].address == address ? 1U : 0U;
   return count;
 }
 
@@ -231,9 +231,9 @@ void HaplyBoard::set_up() noexcept {
     encoder.address = address_;
     encoder.runs_backwards = encoder.direction;
     encoder.edges = 0;
-    const double sent = number_at(place + 4);
+    const double sent = static_cast<double>(number_at(place + 4));
     encoder.counts_per_turn = options_.kind == Kind::m0 ? 0.5 * sent : sent;
-    encoder.start = number_at(place) * encoder.counts_per_turn / 360.0;
+    encoder.start = static_cast<double>(number_at(place)) * encoder.counts_per_turn / 360.0;
     if (options_.cuts_offsets) encoder.start = std::trunc(encoder.start);
     place += 8;
   }
@@ -265,7 +265,8 @@ void HaplyBoard::exchange(std::int64_t at_ns) noexcept {
 void HaplyBoard::drive(Motor& motor, float torque) noexcept {
   if (!motor.has_pins) return;
   const double steps = options_.kind == Kind::m0 ? 1023.0 : 4095.0;
-  const double share = std::isnan(torque) ? 1.0 : std::min(std::abs(torque), full_torque) / full_torque;
+  const double share =
+      std::isnan(torque) ? 1.0 : static_cast<double>(std::min(std::abs(torque), full_torque) / full_torque);
   const bool is_positive = torque > 0.0F;
   const bool is_high = (is_positive == motor.direction) != (options_.kind == Kind::dev_kit);
   motor.duty = std::trunc(share * steps) / steps * (is_high ? -1.0 : 1.0);

@@ -1,13 +1,13 @@
-// HaplyBoard: a microcontroller with one of the published firmwares that speak hAPI, from its end of the USB cable to the
-// pins of motors and encoders. It reads no clock and has no thread: each call says what time it is, and what has happened
-// up to then has happened. Bytes and encoder edges go in, replies and duties come out. Allocates and throws nothing; one
-// thread. Times in ns, on any clock that does not go back.
+// HaplyBoard: a microcontroller with one of the published firmwares that speak hAPI, from its end of the USB cable to
+// the pins of motors and encoders. It reads no clock and has no thread: each call says what time it is, and what has
+// happened up to then has happened. Bytes and encoder edges go in, replies and duties come out. Allocates and throws
+// nothing; one thread. Times in ns, on any clock that does not go back.
 //
-// All that is awkward about the published firmwares is here. They look for a command every 50 µs. Command and address are
-// read without waiting: what has not come yet is 255. What comes after them is waited for, up to 1 s, while nothing else
-// runs; what has not come by then is what was in memory. What is no command is dropped, a byte each 50 µs. Nothing but an
-// exchange, a set up or a restart changes a duty: a reset forgets the addresses, and a motor that pushes goes on pushing.
-// Unused places have address 0, so that a host that calls itself 0 means them.
+// All that is awkward about the published firmwares is here. They look for a command every 50 µs. Command and address
+// are read without waiting: what has not come yet is 255. What comes after them is waited for, up to 1 s, while nothing
+// else runs; what has not come by then is what was in memory. What is no command is dropped, a byte each 50 µs. Nothing
+// but an exchange, a set up or a restart changes a duty: a reset forgets the addresses, and a motor that pushes goes on
+// pushing. Unused places have address 0, so that a host that calls itself 0 means them.
 //
 // Where those who have read the firmwares are silent, this board is strict or hostile: a reset forgets all addresses,
 // whichever it names; a torque that is not a number gives the full duty; an encoder that nobody has set up says not a
@@ -70,8 +70,8 @@ class HaplyBoard {
   // So many edges have passed the encoder at a port.
   void count(std::size_t port, std::int64_t edges) noexcept;
 
-  // As the pins are: the share of the time, negative where the direction's pin is high. That is low, on an M0 and an M3,
-  // for a positive torque in direction 0.
+  // As the pins are: the share of the time, negative where the direction's pin is high. That is low, on an M0 and an
+  // M3, for a positive torque in direction 0.
   double duty(std::size_t port) const noexcept { return motors_[port].duty; }
 
   // The processor starts anew, as when it gets power.

@@ -1,6 +1,6 @@
-// InjectedHaplyFault: what the simulated board, its cable, its arms and its person are asked to do wrong, and the catalog
-// of the faults that one may ask for by name, alone or together. Each is what such a board could do to a driver. A
-// trivially copyable value: it may change while the board runs. A new fault is a member here, one row in
+// InjectedHaplyFault: what the simulated board, its cable, its arms and its person are asked to do wrong, and the
+// catalog of the faults that one may ask for by name, alone or together. Each is what such a board could do to a
+// driver. A trivially copyable value: it may change while the board runs. A new fault is a member here, one row in
 // haply_fault.cpp, and the place in the bench that obeys it. Immutable after start, any thread.
 //
 // What happens once does so when the fault is asked for anew, or to the next packet or reply after that.

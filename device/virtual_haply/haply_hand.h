@@ -1,10 +1,10 @@
 // VirtualHaplyHand: a hand on the handle of simulated arms. It pulls as f_u = k_u (q_u − q), (1), with some damping,
-// after a plan: a goal that moves from waypoint to waypoint. Asked to, it puts the arms into the zero pose and holds them
-// there, as a person does before a set up, and afterwards goes back to its plan.
+// after a plan: a goal that moves from waypoint to waypoint. Asked to, it puts the arms into the zero pose and holds
+// them there, as a person does before a set up, and afterwards goes back to its plan.
 //
-// A plan is a whole value that another thread may give at any time; hold_zero_pose() may be asked for by any thread. The
-// rest belongs to the one thread that lets time pass. The device's frame (arms_geometry.h), SI units, times in ns; never
-// allocates or throws.
+// A plan is a whole value that another thread may give at any time; hold_zero_pose() may be asked for by any thread.
+// The rest belongs to the one thread that lets time pass. The device's frame (arms_geometry.h), SI units, times in ns;
+// never allocates or throws.
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ struct HaplyHandPlan {
     friend bool operator==(const Waypoint&, const Waypoint&) = default;
   };
 
-  // The goal goes on from wherever it is, in a straight line to each of the first `count`, and stays at the last. Without
-  // any it is in the middle (ArmsGeometry::middle()).
+  // The goal goes on from wherever it is, in a straight line to each of the first `count`, and stays at the last.
+  // Without any it is in the middle (ArmsGeometry::middle()).
   std::array<Waypoint, 16> waypoints{};
   std::size_t count = 0;
   double stiffness = 100.0;  // k_u; 0 lets go [N/m]

@@ -1,17 +1,17 @@
-// PtyBoard: the simulated device (haply_bench.h) behind a pseudo-terminal, in real time, on a thread of its own: a driver
-// in this or another process opens a real terminal device of the system.
+// PtyBoard: the simulated device (haply_bench.h) behind a pseudo-terminal, in real time, on a thread of its own: a
+// driver in this or another process opens a real terminal device of the system.
 //
-// What a pseudo-terminal is not: it has no DTR line, no identity on USB and no edges of packets. So the line counts as low
-// while the port's speed is 0, which is how a host lowers it by mistake; who looks for boards by what USB says finds none;
-// and a write(2) of the host's may reach the board together with the next one. Its speed can be seen, though: the board
-// vanishes when a port whose speed is 1200 is closed, whether or not that was asked for as a fault, and stays away until
-// the next fault, or none, is injected.
+// What a pseudo-terminal is not: it has no DTR line, no identity on USB and no edges of packets. So the line counts as
+// low while the port's speed is 0, which is how a host lowers it by mistake; who looks for boards by what USB says
+// finds none; and a write(2) of the host's may reach the board together with the next one. Its speed can be seen,
+// though: the board vanishes when a port whose speed is 1200 is closed, whether or not that was asked for as a fault,
+// and stays away until the next fault, or none, is injected.
 //
-// "not-allowed" takes the file's permissions away and "busy" claims it by TIOCEXCL: neither keeps root out, nor
-// whoever may do all (CAP_SYS_ADMIN).
+// "not-allowed" takes the file's permissions away and "busy" claims it by TIOCEXCL: neither keeps root out, nor whoever
+// may do all (CAP_SYS_ADMIN).
 //
-// Made, asked and destroyed on one thread; lead_hand() and hold_zero_pose() on that one or any other one. Times in ns of
-// CLOCK_MONOTONIC.
+// Made, asked and destroyed on one thread; lead_hand() and hold_zero_pose() on that one or any other one. Times in ns
+// of CLOCK_MONOTONIC.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ class PtyBoard {
   PtyBoard(const PtyBoard&) = delete;
   PtyBoard& operator=(const PtyBoard&) = delete;
 
-  // The link, if there is to be one; otherwise the terminal device, which after "unplugged" is a new one. Empty while it
-  // is unplugged.
+  // The link, if there is to be one; otherwise the terminal device, which after "unplugged" is a new one. Empty while
+  // it is unplugged.
   std::string port();
 
   void inject(const InjectedHaplyFault& wrong) noexcept { bench_.inject(wrong); }

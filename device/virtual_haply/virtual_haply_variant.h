@@ -1,5 +1,5 @@
-// VirtualHaplyVariant: what is known of each device that was sold with one of these boards: its arms, and which port each
-// motor and each encoder is on. From the tables of published host programs.
+// VirtualHaplyVariant: what is known of each device that was sold with one of these boards: its arms, and which port
+// each motor and each encoder is on. From the tables of published host programs.
 //
 // Immutable, any thread. m; degrees and counts per turn as they go over the cable.
 #pragma once
@@ -16,8 +16,8 @@
 namespace ghostforce {
 
 struct VirtualHaplyVariant {
-  // The direction is what the host must send, on an M0 or an M3, so that a positive torque increases the arm's angle and
-  // an increasing angle counts upwards: with another one the wiring is the other way round. Ports from 0.
+  // The direction is what the host must send, on an M0 or an M3, so that a positive torque increases the arm's angle
+  // and an increasing angle counts upwards: with another one the wiring is the other way round. Ports from 0.
   struct Motor {
     std::uint8_t direction = 0;
     std::size_t port = 0;

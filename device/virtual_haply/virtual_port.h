@@ -1,6 +1,6 @@
-// VirtualPort: the SerialPort to a simulated board, in memory. Behind it are board, arms and hand (haply_bench.h), which
-// live on whenever a function of the port is asked for what has happened up to now. For tests and rehearsals: the driver
-// above does everything that it does with a real device.
+// VirtualPort: the SerialPort to a simulated board, in memory. Behind it are board, arms and hand (haply_bench.h),
+// which live on whenever a function of the port is asked for what has happened up to now. For tests and rehearsals: the
+// driver above does everything that it does with a real device.
 //
 // The clock is CLOCK_MONOTONIC, or one that only wait_until() moves: from event to event, without waiting, the same way
 // every time; for tests, and where no thread may wait. Nothing is allocated after the constructor. Threads as

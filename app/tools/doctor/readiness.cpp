@@ -1,15 +1,10 @@
 #include "app/tools/doctor/readiness.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
-#include <cstddef>
-#include <cstdlib>
 
 #include <fmt/format.h>
 
 #include "core/safety.h"
-#include "device/falcon/falcon_report.h"
 
 namespace ghostforce {
 namespace {
@@ -17,164 +12,18 @@ namespace {
 // Its words are for a terminal, and for the desktop's window.
 constexpr std::string_view device_status_key = "F2";
 
-// In the order of ReadinessStep.
-constexpr std::array steps{
-    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in", "Not plugged in",
-                   "Plug in the Falcon's power supply, then its USB cable.", "The computer sees the device."},
-    ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed", "Not allowed",
-                   "Run 'ghostforce doctor --install-udev' once, then plug it in again.", "This user may open it."},
-    ReadinessEntry{ReadinessStep::free, ExitCode::device_refused, "free", "Free", "Not free",
-                   "Close the other program that is using the device.", "No other program is using it."},
-    ReadinessEntry{ReadinessStep::firmware, ExitCode::device_failed, "firmware", "Firmware answers",
-                   "Firmware does not answer", "Give it a firmware file: --firmware FILE, see docs/falcon.md.",
-                   "The firmware is loaded and running."},
-    ReadinessEntry{ReadinessStep::homed, ExitCode::device_failed, "homed", "Homed", "Not homed",
-                   "Pull the handle all the way out, then push it straight in until it stops.",
-                   "All three motors have found their zero."},
-    ReadinessEntry{ReadinessStep::encoders_move, ExitCode::device_failed, "encoders_move", "Encoders move",
-                   "Encoders not moved yet",
-                   "Move the handle up and down, left and right, out and in. If that changes nothing, unplug both "
-                   "cables, wait 5 s, and plug them in again. An encoder that still does not move is broken.",
-                   "All three motors have moved."},
-    ReadinessEntry{ReadinessStep::fast_enough, ExitCode::answer_is_no, "fast_enough", "Fast enough", "Not fast enough",
-                   "Use a USB port on the computer itself, without a hub, and close programs that keep it busy.", ""},
-    ReadinessEntry{ReadinessStep::outside_wall, ExitCode::done, "outside_wall", "Outside the wall", "In the wall",
-                   "Move the handle out of the wall.", "Nothing pushes on the handle yet."},
-    ReadinessEntry{ReadinessStep::armed, ExitCode::done, "armed", "Armed", "Not armed",
-                   "Hold the handle and press the button “Arm the motors”.", ""},
-};
-
-struct FaultEntry {
-  FalconFault id;
-  // At which it keeps the device. The link tells what is wrong before it tells anything else, so all below has been
-  // reached.
-  ReadinessStep step;
-  std::string_view sentence;  // what is wrong
-  std::string_view remedy;
-};
-// In the order of FalconFault.
-constexpr std::array faults{
-    FaultEntry{FalconFault::none, ReadinessStep::seen, "", ""},
-    FaultEntry{FalconFault::not_allowed, ReadinessStep::allowed, "This user may not open the device.",
-               "Run 'ghostforce doctor --install-udev' once, then plug the device in again."},
-    FaultEntry{FalconFault::busy, ReadinessStep::free, "Another program is using the device.", "Close that program."},
-    FaultEntry{FalconFault::unsupported, ReadinessStep::free,
-               "The device that is plugged in lacks the USB interface with two bulk endpoints that a Falcon has.",
-               "Plug in another Falcon."},
-    FaultEntry{FalconFault::unplugged, ReadinessStep::seen, "The device was unplugged.",
-               "Plug it in again: the program keeps looking for it. The motors stay off until you arm them."},
-    FaultEntry{FalconFault::broken, ReadinessStep::firmware, "The USB transfers fail.",
-               "Use another cable or another USB port, one on the computer itself."},
-    FaultEntry{FalconFault::no_firmware, ReadinessStep::firmware,
-               "The device has no firmware, and there is no file to give it.",
-               "Name one with --firmware FILE, or see docs/falcon.md for where to put it."},
-    FaultEntry{FalconFault::no_handshake, ReadinessStep::firmware, "The boot loader of the device does not answer.",
-               "Unplug both its cables, wait 5 s, and plug power in first. If that does not help, use another USB "
-               "port."},
-    FaultEntry{FalconFault::no_baud_answer, ReadinessStep::firmware,
-               "The boot loader stopped answering at the data rate of the upload.",
-               "Unplug both its cables, wait 5 s, and plug them in again."},
-    FaultEntry{FalconFault::echo_missing, ReadinessStep::firmware,
-               "The upload of the firmware broke off: a byte was not echoed.",
-               "Use another cable or USB port. If it happens again, unplug both cables for 5 s."},
-    FaultEntry{FalconFault::echo_differs, ReadinessStep::firmware,
-               "The upload of the firmware was garbled: a byte came back changed.",
-               "Use another cable or USB port, without a hub."},
-    FaultEntry{FalconFault::firmware_silent, ReadinessStep::firmware, "The firmware is loaded but does not answer.",
-               "Check that the file is for this device: compare its SHA-256 with docs/falcon.md."},
-    FaultEntry{FalconFault::no_replies, ReadinessStep::firmware, "The device has stopped answering.",
-               "Check that its power supply is plugged in. The program opens the device again by itself."},
-    FaultEntry{FalconFault::kinematics, ReadinessStep::homed,
-               "The encoders report a position that the arms cannot reach.",
-               "Home the device again (F2), and check the geometry in its calibration file."},
-    FaultEntry{FalconFault::overruled, ReadinessStep::free,
-               "The program did not run for 20 ms, so its guard turned the motors off.",
-               "Close other busy programs. The program opens the device again by itself."},
-    FaultEntry{FalconFault::unguarded, ReadinessStep::free, "The guard of the motors has ended.",
-               "The program opens the device again by itself, with a new guard."},
-    FaultEntry{FalconFault::stop_owed, ReadinessStep::firmware,
-               "Another Falcon, whose motors may still push, was plugged in again.",
-               "Wait a moment: the program stops that one first, and then continues with this one."},
-};
-static_assert(faults.size() == static_cast<std::size_t>(FalconFault::stop_owed) + 1);
-
-// What a device was told last was a force, or it has not answered since it was told to stop.
-std::string still_pushing(const FalconReport& report) {
-  return left_pushing_words(report.owed_serial) + " The program stops them as soon as the device answers again.";
-}
-
-// The motors of which `is_so` is `wanted`: "motor 1 and motor 3".
-std::string motors_where(const std::array<bool, 3>& is_so, bool wanted) {
-  std::string names;
-  for (std::size_t i = 0; i < is_so.size(); ++i) {
-    if (is_so[i] == wanted) names += fmt::format("{}motor {}", names.empty() ? "" : " and ", i + 1);
-  }
-  return names;
-}
-
-std::string sentence_from(std::string words) {
-  words.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(words.front())));
-  return words;
-}
-
-std::string_view have(std::ptrdiff_t count) {
-  return count == 1 ? "has" : "have";
-}
-
-std::string homed_words(const std::array<bool, 3>& has_homed) {
-  const std::ptrdiff_t count = std::ranges::count(has_homed, true);
-  if (count == 0) return "No motor has found its zero yet.";
-  if (count == 3) return "All three motors have found their zero.";
-  return sentence_from(fmt::format("{} {} found {} zero, {} {} not.", motors_where(has_homed, true), have(count),
-                                   count == 1 ? "its" : "their", motors_where(has_homed, false), have(3 - count)));
-}
-
-std::string moved_words(const std::array<bool, 3>& has_moved) {
-  const std::ptrdiff_t count = std::ranges::count(has_moved, false);
-  if (count == 3) return "No motor has moved yet.";
-  return sentence_from(fmt::format("{} {} not moved yet.", motors_where(has_moved, false), have(count)));
-}
-
-std::string count_words(int count) {
-  return fmt::format("{}{}", count < 0 ? "−" : "", std::abs(count));
-}
-
-const FaultEntry& readiness_fault(FalconFault fault) noexcept {
-  return faults[static_cast<std::size_t>(fault)];
-}
-
-// How far the device has come by itself, up to being homed: the first step that is not reached.
-ReadinessStep way_of(const FalconReport& report) noexcept {
-  switch (report.state) {
-    case FalconState::absent:
-      return ReadinessStep::seen;
-    case FalconState::fault:
-      return readiness_fault(report.fault).step;
-    case FalconState::opening:
-    case FalconState::loading_firmware:
-      return ReadinessStep::firmware;
-    case FalconState::homing:
-      return ReadinessStep::homed;
-    case FalconState::idle:
-    case FalconState::active:
-      return ReadinessStep::encoders_move;
-  }
-  return ReadinessStep::seen;
-}
-
 bool are_on(const MotorReport& motors) noexcept {
   return motors.state == SafetyState::ramp || motors.state == SafetyState::on;
 }
 
 class ReadinessCheck {
  public:
-  ReadinessCheck(const FalconReport& report, const MotorReport* motors)
-      : report_(report), motors_(motors), way_(way_of(report)) {}
+  ReadinessCheck(const DeviceSteps& device, const MotorReport* motors) : device_(device), motors_(motors) {}
 
   std::vector<ReadinessStepState> states() const {
     std::vector<ReadinessStepState> states;
     bool is_below_current = true;
-    for (const ReadinessEntry& entry : steps) {
+    for (const ReadinessEntry& entry : device_.catalog) {
       if (motors_ == nullptr && entry.id > ReadinessStep::fast_enough) break;
       ReadinessStepState state{.step = entry.id, .name = entry.name, .title = entry.title, .words = {}};
       state.is_reached = is_reached(entry.id);
@@ -188,11 +37,10 @@ class ReadinessCheck {
       if (entry.id == ReadinessStep::outside_wall && has_failed && !motors_->is_handle_known) {
         state.title = "Handle not found yet";
       }
-      if (state.is_current && report_.state == FalconState::fault && report_.fault != FalconFault::none) {
-        const FaultEntry& fault = readiness_fault(report_.fault);
+      if (state.is_current && !device_.fault_sentence.empty()) {
         // What to do about motors that may push comes first, and nothing against it beside it.
-        state.words = fault.sentence;
-        if (!report_.may_still_push) state.words.append(" ").append(fault.remedy);
+        state.words = device_.fault_sentence;
+        if (!device_.may_still_push) state.words.append(" ").append(device_.fault_remedy);
       } else if (state.is_reached || has_failed) {
         state.words = words(entry, state);
       }
@@ -201,8 +49,8 @@ class ReadinessCheck {
     // Where everybody looks, whatever else is so: it may be another device than the one that is in use.
     const auto current = std::ranges::find(states, true, &ReadinessStepState::is_current);
     ReadinessStepState& shown = current == states.end() ? states.back() : *current;
-    if (report_.may_still_push) {
-      shown.words = still_pushing(report_) + (shown.words.empty() ? "" : " ") + shown.words;
+    if (device_.may_still_push) {
+      shown.words = device_.still_pushing + (shown.words.empty() ? "" : " ") + shown.words;
     }
     return states;
   }
@@ -211,22 +59,22 @@ class ReadinessCheck {
   bool is_reached(ReadinessStep step) const noexcept {
     switch (step) {
       case ReadinessStep::encoders_move:
-        return report_.is_readable() && report_.encoders_move();
+        return device_.encoders_move;
       case ReadinessStep::fast_enough:
-        return is_fast_and_even(report_);
+        return device_.is_fast_and_even;
       case ReadinessStep::outside_wall:
         // Who has armed was outside then, and may go in.
         return motors_ != nullptr && motors_->is_handle_known && (motors_->is_outside_wall || are_on(*motors_));
       case ReadinessStep::armed:
         return motors_ != nullptr && are_on(*motors_);
       default:
-        return step < way_;
+        return step < device_.way;
     }
   }
 
   // Needs no hand, so it may fail before its turn.
   bool is_measured_too_slow(ReadinessStep step) const noexcept {
-    return step == ReadinessStep::fast_enough && attainable_exchange_hz(report_) > 0.0 && !is_fast_and_even(report_);
+    return step == ReadinessStep::fast_enough && device_.exchange_hz > 0.0 && !device_.is_fast_and_even;
   }
 
   // Why the motors went off is told until a person has acknowledged it, wherever the handle is.
@@ -238,19 +86,17 @@ class ReadinessCheck {
     const bool reached = state.is_reached;
     switch (entry.id) {
       case ReadinessStep::seen:
-        if (!reached || report_.serial.text().empty()) break;
-        return fmt::format("Its serial number is {}.", report_.serial.text());
+        if (!reached || device_.seen_words.empty()) break;
+        return device_.seen_words;
       case ReadinessStep::firmware:
-        if (reached) break;
-        return firmware_words();
+        if (reached || device_.firmware_words.empty()) break;
+        return device_.firmware_words;
       case ReadinessStep::homed:
         if (reached) break;
-        return fmt::format("{} The encoders read {}, {} and {}. {}", homed_words(report_.has_homed),
-                           count_words(report_.encoders[0]), count_words(report_.encoders[1]),
-                           count_words(report_.encoders[2]), entry.remedy);
+        return fmt::format("{} {}", device_.homed_words, entry.remedy);
       case ReadinessStep::encoders_move:
         if (reached) break;
-        return fmt::format("{} {}", moved_words(report_.has_moved), entry.remedy);
+        return fmt::format("{} {}", device_.moved_words, entry.remedy);
       case ReadinessStep::fast_enough:
         return speed_words(entry, reached);
       case ReadinessStep::outside_wall:
@@ -265,20 +111,11 @@ class ReadinessCheck {
     return std::string(reached ? entry.reached : entry.remedy);
   }
 
-  std::string firmware_words() const {
-    const std::string before = report_.fault == FalconFault::none
-                                   ? ""
-                                   : fmt::format(" The previous attempt: {}.", entry_of(report_.fault).title);
-    if (report_.state == FalconState::opening) return "The program is asking it whether it has firmware." + before;
-    return fmt::format("It is being loaded, attempt {} of {}: {} of {} bytes are done.{}", report_.attempt,
-                       report_.attempts, report_.bytes_echoed, report_.firmware_size, before);
-  }
-
   std::string speed_words(const ReadinessEntry& entry, bool reached) const {
-    if (report_.exchange_hz == 0.0) return "The speed is being measured.";
+    if (device_.exchange_hz == 0.0) return "The speed is being measured.";
     const std::string measured =
         fmt::format("The device answers {:.0f} times a second, after {:.2f} ms on average and {:.1f} ms at worst.",
-                    attainable_exchange_hz(report_), 1e3 * report_.exchange_s, 1e3 * report_.worst_exchange_s);
+                    device_.exchange_hz, 1e3 * device_.exchange_s, 1e3 * device_.worst_exchange_s);
     return reached ? measured : fmt::format("{} {}", measured, entry.remedy);
   }
 
@@ -288,16 +125,16 @@ class ReadinessCheck {
       case SafetyState::fade: {
         const OffReason why = motors_->reason != OffReason::none ? motors_->reason : motors_->last_reason;
         // What may still push is not said to be off, and nobody is asked to arm it, read or not.
-        if (report_.may_still_push && why != OffReason::none) {
+        if (device_.may_still_push && why != OffReason::none) {
           return fmt::format("The motors were told to stop: {}.", entry_of(why).title);
         }
         if (motors_->reason == OffReason::none) {
-          if (report_.is_readable() && !report_.is_guarded) return std::string(no_guard());
+          if (device_.is_readable && !device_.is_guarded) return std::string(no_guard());
           const OffReasonEntry& last = entry_of(motors_->last_reason);
           if (!last.at_once && !last.is_safety_limit) break;
           return fmt::format("{} {}", entry.remedy, turned_off_words("The last time, the motors went off", last));
         }
-        if (report_.is_readable() && is_of_device(motors_->reason)) {
+        if (device_.is_readable && is_of_device(motors_->reason)) {
           // Where a step before is still to come, that one says what to do.
           return fmt::format("The motors went off: {}.{}", entry_of(motors_->reason).title,
                              is_current ? " The device works again: arm the motors." : "");
@@ -325,53 +162,19 @@ class ReadinessCheck {
     return fmt::format("{}: {}. {}", what, reason.title, fmt::format(fmt::runtime(reason.remedy), device_status_key));
   }
 
-  const FalconReport& report_;
+  const DeviceSteps& device_;
   const MotorReport* motors_;
-  ReadinessStep way_;
 };
 
 }  // namespace
-
-std::span<const ReadinessEntry> readiness_catalog() noexcept {
-  return steps;
-}
-
-const ReadinessEntry& entry_of(ReadinessStep step) noexcept {
-  return steps[static_cast<std::size_t>(step)];
-}
-
-std::string left_pushing_words(const DeviceSerial& serial) {
-  const std::string_view number = serial.text();
-  return fmt::format("The motors{}{} may still push: unplug the device's power supply now, then its USB cable.",
-                     number.empty() ? "" : " of the Falcon with the serial number ", number);
-}
 
 std::string_view no_guard() noexcept {
   return "The guard that turns the motors off if this program cannot has not started. The motors stay off. Install "
          "ghostforce again: the program ghostforce-guard belongs to it.";
 }
 
-std::string_view sentence_of(FalconFault fault) noexcept {
-  return readiness_fault(fault).sentence;
-}
-
-std::string_view remedy_of(FalconFault fault) noexcept {
-  return readiness_fault(fault).remedy;
-}
-
-double attainable_exchange_hz(const FalconReport& report) noexcept {
-  if (report.state != FalconState::homing) return report.exchange_hz;
-  return report.exchange_s > 0.0 && report.exchange_hz > 0.0 ? 1.0 / report.exchange_s : 0.0;
-}
-
-bool is_fast_and_even(const FalconReport& report) noexcept {
-  if (report.state != FalconState::homing && !report.is_readable()) return false;
-  return attainable_exchange_hz(report) >= FalconReport::fast_enough_hz &&
-         report.worst_exchange_s < Safety::longest_exchange_s;
-}
-
-std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors) {
-  return ReadinessCheck(report, motors).states();
+std::vector<ReadinessStepState> readiness_of(const DeviceSteps& device, const MotorReport* motors) {
+  return ReadinessCheck(device, motors).states();
 }
 
 ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing) {
@@ -382,10 +185,6 @@ ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_
     if (!state.is_reached && !is_left_out && code != ExitCode::done) return code;
   }
   return ExitCode::done;
-}
-
-ExitCode exit_code_of(const FalconReport& report, bool needs_homing) {
-  return exit_code_of(readiness_of(report, nullptr), needs_homing);
 }
 
 }  // namespace ghostforce

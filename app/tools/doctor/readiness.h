@@ -1,5 +1,7 @@
-// How ready a Falcon is (device/report/motor_report.h), with what is happening in each step now and what to do. The
-// window and `doctor` show the same. Pure, allocates; not for the servo thread.
+// How ready a device with motors is (device/report/motor_report.h), with what is happening in each step now and what to
+// do. The window and `doctor` show the same. What is a device's own, its catalog of steps and faults with their words, is
+// in a file for each (falcon_readiness.cpp, haply_readiness.cpp), which hands it on as DeviceSteps. Pure, allocates; not
+// for the servo thread.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +18,9 @@ namespace ghostforce {
 // Of the device, of which what draws the steps knows nothing else.
 enum class FalconFault : std::uint8_t;
 class DeviceSerial;
+enum class HaplyFault : std::uint8_t;
 struct FalconReport;
+struct HaplyReport;
 struct MotorReport;
 
 struct ReadinessEntry {
@@ -29,9 +33,32 @@ struct ReadinessEntry {
   std::string_view reached;     // what is so then; empty where a report says more
 };
 
-// In the order of ReadinessStep.
+// In the order of ReadinessStep, of a Falcon. Exit codes and names are the same for all devices.
 std::span<const ReadinessEntry> readiness_catalog() noexcept;
 const ReadinessEntry& entry_of(ReadinessStep step) noexcept;
+
+// What the steps of one device are made of.
+struct DeviceSteps {
+  std::span<const ReadinessEntry> catalog;  // in the order of ReadinessStep, with this device's words
+  ReadinessStep way;                        // the first that it has not reached, up to encoders_move
+  bool is_readable = false;
+  bool encoders_move = false;
+  bool is_guarded = true;
+  bool is_fast_and_even = false;
+  bool may_still_push = false;
+  double exchange_hz = 0.0;  // that it makes or could make; 0: not measured yet
+  double exchange_s = 0.0;
+  double worst_exchange_s = 0.0;
+  std::string_view fault_sentence{};  // what is wrong now; empty: nothing
+  std::string_view fault_remedy{};
+  std::string still_pushing{};   // what to do about motors that may
+  std::string seen_words{};      // what is known of it; empty: the catalog says it
+  std::string firmware_words{};  // while that is not reached; empty: the catalog says it
+  std::string homed_words{};     // likewise, before the catalog's remedy
+  std::string moved_words{};
+};
+
+std::vector<ReadinessStepState> readiness_of(const DeviceSteps& device, const MotorReport* motors);
 
 // What is wrong, and what to do about it, as sentences; empty for none.
 std::string_view sentence_of(FalconFault fault) noexcept;
@@ -52,6 +79,10 @@ double attainable_exchange_hz(const FalconReport& report) noexcept;
 
 // `motors` null: nobody means to arm, and the steps end at fast_enough.
 std::vector<ReadinessStepState> readiness_of(const FalconReport& report, const MotorReport* motors);
+std::vector<ReadinessStepState> readiness_of(const HaplyReport& report, const MotorReport* motors);
+
+std::string_view sentence_of(HaplyFault fault) noexcept;
+std::string_view remedy_of(HaplyFault fault) noexcept;
 
 // How a program ends that was to use the device of this readiness. `needs_homing`: somebody was there to do it.
 ExitCode exit_code_of(std::span<const ReadinessStepState> readiness, bool needs_homing);

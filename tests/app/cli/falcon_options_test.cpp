@@ -60,7 +60,7 @@ class FalconSetUpTest : public testing::Test {
   TemporaryFolder folder_;
   CLI::App app_;
   FileOptions files_;
-  FalconSetUp set_up_;
+  DeviceSetUp set_up_;
 };
 
 TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {

@@ -304,6 +304,24 @@ TEST(TtyPort, HasAGuard) {
   EXPECT_TRUE(TtyPort(unguarded(terminal.path())).is_guarded());  // needs none
 }
 
+// It has told once that it lives, and then stands still until the guard has acted.
+TEST(TtyPort, TheGuardOverrulesAProgramThatStandsStill) {
+  const PseudoTerminal terminal;
+  TtyPort port({.path = terminal.path()});
+  ASSERT_EQ(port.open(), LinkFault::none);
+  port.set_may_push(true);
+  EXPECT_EQ(terminal.receive(stops(10).size()), stops(10));
+  EXPECT_FALSE(port.write(push()));
+  EXPECT_EQ(port.fault(), LinkFault::overruled);
+  EXPECT_FALSE(port.is_guarded());
+  EXPECT_TRUE(port.write(stop()));
+  port.close();
+  const Bytes after = terminal.receive_all();
+  EXPECT_EQ(after, stops(after.size() / stop().size()));
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_TRUE(port.is_guarded());
+}
+
 TEST(TtyPort, TheGuardStopsMotorsOfAProgramThatWasKilled) {
   const PseudoTerminal terminal;
   const pid_t program = fork();

@@ -88,7 +88,7 @@ TEST(HaplyArms, MoveAsTheirMotorsPush) {
     Vector<2> torques{0.0};
     torques[i] = 0.015;
     for (int step = 0; step < 400; ++step) arms.step(duration, torques, {});
-    EXPECT_GT(arms.angles()[i], before[i] + 0.01);
+    EXPECT_GT(arms.angles()[i], before[i] + 0.005);
   }
 }
 
@@ -110,8 +110,8 @@ TEST(HaplyArms, StickWhereFrictionHoldsThem) {
   EXPECT_NE(arms.angles(), before);
 }
 
-// Without torque, the energy of arms and of the hand's spring never grows: by more than what is bent about the way of a
-// step, which is less than a millionth of it in a millisecond.
+// Without torque, the energy of the arms and of the hand's spring never grows. (In a step that ends at rest, what is
+// bent about its way may be left in the spring.)
 TEST(HaplyArms, GiveNoEnergy) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
@@ -131,7 +131,7 @@ TEST(HaplyArms, GiveNoEnergy) {
       for (int step = 0; step < 20'000; ++step) {
         arms.step(duration, Vector<2>{0.0}, hand);
         least = std::min(least, energy());
-        ASSERT_LE(energy(), least + 2e-3 * first) << each.name << " " << step;
+        ASSERT_LE(energy(), least + 1e-6 * first) << each.name << " " << step;
       }
       EXPECT_TRUE(std::isfinite(arms.handle().x));
     }
