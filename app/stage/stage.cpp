@@ -60,7 +60,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .sentence = sentence,
                        .corner = content.corner ? std::string_view(content.corner->words) : "",
                        .corner_action = content.corner ? content.corner->action : StageCommand::next,
-                       .has_full = !content.moment.is_measured,
+                       .has_full = !content.moment.is_measured || content.linkage.has_value(),
                        .has_strings = has_strings(content.settings),
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,

@@ -61,6 +61,7 @@ void draw_doctor(const PanelContext& context) {
     text_in(context.fonts.bold, context.loop.device);
     ImGui::Spacing();
     for (const ReadinessStepState& step : context.loop.readiness) draw_step(context, step, end);
+    draw_zero_pose(context);
     ImGui::Spacing();
     draw_motor_heat(context, end);
     if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());

@@ -49,8 +49,26 @@ void draw_step(const PanelContext& context) {
   }
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
+  draw_zero_pose(context);
   const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
   if (ImGui::SmallButton(status.c_str())) context.apply(ToggleDialog{Dialog::doctor});
+}
+
+// Which of two motors pushes. With both the device is fully actuated.
+void draw_motor_choice(const PanelContext& context) {
+  row("Motors",
+      "One motor alone makes the device underactuated, along a line that turns with its handle. With both "
+      "it is fully actuated.");
+  const Session& session = context.session;
+  const bool has_both = session.settings.active == StrategyId::full;
+  for (std::size_t motor = 0; motor < 2; ++motor) {
+    if (ImGui::RadioButton(motor == 0 ? "1" : "2", !has_both && session.device_motor == motor)) {
+      if (session.device_motor != motor) context.apply(SwitchMotor{});
+      if (has_both) context.apply(ChooseStrategy{StrategyId::naive});
+    }
+    ImGui::SameLine();
+  }
+  if (ImGui::RadioButton("both", has_both)) context.apply(ChooseStrategy{StrategyId::full});
 }
 
 }  // namespace
@@ -68,6 +86,7 @@ void draw_input(const PanelContext& context) {
                  context.session.injected_fault.empty() ? "none" : context.session.injected_fault);
       if (!wrong.empty()) context.apply(InjectFault{std::string(wrong)});
     }
+    if (context.loop.motors.line_turns) draw_motor_choice(context);
     if (context.loop.motors.has_motors) {
       row("Aim at a target",
           "Draws a target on the wall. Press straight into the wall there, and ghost force and drift are measured "

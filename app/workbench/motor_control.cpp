@@ -127,4 +127,10 @@ void draw_motor_words(const PanelContext& context) {
   ImGui::GetWindowDrawList()->AddText(font, height, at, packed(context.theme.problem), words.c_str());
 }
 
+void draw_zero_pose(const PanelContext& context) {
+  if (!context.loop.motors.waits_for_zero_pose) return;
+  const std::string words(stage_language(context.session.language).motors.zero_pose);
+  if (ImGui::Button(words.c_str())) context.apply(ConfirmZeroPose{});
+}
+
 }  // namespace ghostforce

@@ -21,4 +21,7 @@ void draw_motor_heat(const PanelContext& context, float end = 0.0F);
 // What it needs of the row [points]; the same in every state of the motors.
 float motor_button_room(const PanelContext& context);
 
+// The button with which a person says that the device's arms are in the zero pose, while it waits for that.
+void draw_zero_pose(const PanelContext& context);
+
 }  // namespace ghostforce

@@ -137,7 +137,7 @@ void HaplyInput::check() noexcept {
     for (std::size_t arm = 0; arm < 2; ++arm) {
       const HaplyArm& known = calibration.arms[arm];
       const auto axis = static_cast<glm::length_t>(arm);
-      levers[axis] = levers_of(*pose)[arm];
+      levers[axis] = std::abs(levers_of(*pose)[arm]);
       torques[axis] = (known.is_motor_reversed ? -1.0 : 1.0) * known.torque_scale * report.torques[arm];
       strongest = std::min(strongest, hapi::greatest_torque * known.torque_scale / std::abs(levers[axis]));
       // Some boards see every other edge alone, and count in double steps.

@@ -34,6 +34,9 @@ void HaplyBoard::receive(std::span<const std::uint8_t> bytes, std::int64_t at_ns
 void HaplyBoard::run_until(std::int64_t now_ns) noexcept {
   for (;;) {
     const std::int64_t next_ns = next_event_ns();
+    if (options_.watchdog_ns > 0 && std::min(next_ns, now_ns) - exchanged_ns_ >= options_.watchdog_ns) {
+      for (Motor& motor : motors_) motor.duty = 0.0;
+    }
     if (next_ns > now_ns) return;
     if (reading_ == Reading::nothing) {
       run_pass(next_ns);
@@ -241,6 +244,7 @@ void HaplyBoard::set_up() noexcept {
 
 void HaplyBoard::exchange(std::int64_t at_ns) noexcept {
   ++exchanges_;
+  exchanged_ns_ = at_ns;
   std::size_t place = static_cast<std::size_t>(std::ranges::count(pwm_addresses_, address_));
   for (std::size_t port = 0; port < ports(); ++port) {
     if (motors_[port].address != address_) continue;

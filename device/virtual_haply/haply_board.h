@@ -42,6 +42,8 @@ class HaplyBoard {
     // A set up writes an offset into a counter. Whether a fraction of a count survives that is not known; if not, the
     // first angle after a set up is up to one count short of the offset.
     bool cuts_offsets = false;
+    // No published firmware has one: after so long without an exchange all duties are zero. 0: it has none, either.
+    std::int64_t watchdog_ns = 0;
   };
 
   struct Reply {
@@ -180,6 +182,7 @@ class HaplyBoard {
   std::array<std::uint8_t, most_analogue> analogue_addresses_{};
   std::array<std::uint8_t, pwm_pins> pwm_addresses_{};
 
+  std::int64_t exchanged_ns_ = 0;
   bool refuses_set_ups_ = false;
   bool spoils_torque_ = false;
   std::uint64_t exchanges_ = 0;

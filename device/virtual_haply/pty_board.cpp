@@ -2,6 +2,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <pthread.h>
+#include <sched.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
 #include <termios.h>
@@ -71,6 +73,10 @@ std::string PtyBoard::port() {
 }
 
 void PtyBoard::run() noexcept {
+  // A real board has a processor of its own. Where the system grants it, this one comes before what draws and after the
+  // servo, whose priority is higher.
+  const sched_param parameters{.sched_priority = 5};
+  pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
   leave_process_signals();
   const AlternateStack stack;
   while (!is_over_) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/tools/doctor/rig.h"
+#include "app/tools/doctor/terminal_operator.h"
 #include "device/falcon/falcon.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/ftdi_link.h"
@@ -27,19 +28,6 @@ struct MeasureCall {
 // Returns the exit code. Throws Failure.
 int measure_with_doctor(const MeasureCall& call);
 
-// A person at a terminal, or a file of answers: words go to the error output, lines come from the standard input. In a
-// rehearsal a simulated person does what is asked, and answers where the line is empty.
-class TerminalOperator final : public Operator {
- public:
-  // Null: the device is real. Else it must live as long as this.
-  explicit TerminalOperator(MeasuredPerson* simulated) : simulated_(simulated) {}
-
-  void tell(std::string_view words) override;
-  std::optional<std::string> ask(const OperatorAction& action, std::string_view words) override;
-  void cue(const OperatorAction& action) override;
-
- private:
-  MeasuredPerson* simulated_;
-};
+using TerminalOperator = TerminalOperatorFor<OperatorAction, MeasuredPerson>;
 
 }  // namespace ghostforce

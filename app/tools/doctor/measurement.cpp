@@ -1,6 +1,5 @@
 #include "app/tools/doctor/measurement.h"
 
-#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -18,17 +17,7 @@ constexpr double homing_patience_s = 300.0;
 // A device is looked for twice a second.
 constexpr double absent_patience_s = 1.2;
 
-Finding unmeasured(std::string_view title, std::string_view why) {
-  return {.title = std::string(title), .sentence = std::string(why)};
-}
-
 }  // namespace
-
-bool FalconMeasurement::has_all_answers() const {
-  return is_complete && std::ranges::all_of(steps, [](const Step& step) {
-           return std::ranges::all_of(step.findings, &Finding::is_answer);
-         });
-}
 
 void await_homed(Falcon& falcon, Operator& person) {
   constexpr std::int64_t tick_ns = 1'000'000;
@@ -78,35 +67,7 @@ FalconMeasurement measure_falcon(Falcon& falcon, Operator& person, const FalconC
 
   FalconMeasurement measurement;
   MeasuringRig rig(person, falcon.lend_link(), begin);
-  std::array<bool, 3> has{true, false, false};  // by MeasureStep::Needs
-  const auto catalog = measure_step_catalog();
-  try {
-    for (std::size_t i = 0; i < catalog.size(); ++i) {
-      const MeasureStep& step = catalog[i];
-      person.tell(fmt::format("\nStep {} of {}: {}. {}", i + 1, catalog.size(), step.title, step.outline));
-      std::vector<Finding> findings;
-      if (!has[static_cast<std::size_t>(step.needs)]) {
-        findings = {unmeasured(step.title, "It needs the result of an earlier step that has none.")};
-      } else {
-        try {
-          findings = step.take(rig);
-        } catch (const SkipMeasurement&) {
-          rig.rest(0.0);
-          findings = {unmeasured(step.title, "Skipped.")};
-        }
-      }
-      has[static_cast<std::size_t>(step.gives)] |= findings.front().is_answer();
-      for (const Finding& finding : findings) {
-        person.tell(fmt::format("  {}: {}. {}", finding.title, words_of(finding.state), finding.sentence));
-      }
-      measurement.steps.push_back({step.title, std::move(findings)});
-    }
-    measurement.is_complete = true;
-  } catch (const LeaveMeasurement&) {
-    if (!person.says_yes("The motors are off. Write a report of what has been measured so far? Type y or n.")) {
-      throw Failure(ExitCode::answer_is_no, "The measurement was ended. Nothing was written.");
-    }
-  }
+  measurement.is_complete = take_steps(measure_step_catalog(), rig, measurement.steps);
   measurement.calibration = rig.calibration();
   return measurement;
 }
@@ -119,25 +80,8 @@ std::string report_of(const FalconMeasurement& measurement, const MeasurementOri
   if (!measurement.is_complete) text += "- The person ended it before the last step.\n";
   text +=
       "\nUncertainties are two standard deviations. Please open an issue with this file attached, at the place where "
-      "you got this program.\n\n## Results\n\n| What | | Result | Settles |\n|---|---|---|---|\n";
-  for (const FalconMeasurement::Step& step : measurement.steps) {
-    for (const Finding& finding : step.findings) {
-      text += fmt::format("| {} | {} | {} | {} |\n", finding.title, words_of(finding.state), finding.sentence,
-                          finding.is_answer() ? finding.settles : "nothing");
-    }
-  }
-  text += "\n## Readings\n";
-  for (const FalconMeasurement::Step& step : measurement.steps) {
-    text += fmt::format("\n### {}\n\n", step.title);
-    bool is_empty = true;
-    for (const Finding& finding : step.findings) {
-      for (const std::string& reading : finding.readings) {
-        text += fmt::format("- {}\n", reading);
-        is_empty = false;
-      }
-    }
-    if (is_empty) text += "None.\n";
-  }
+      "you got this program.\n\n";
+  text += results_of(measurement.steps);
   text += fmt::format("\n## Calibration file\n\n```toml\n{}```\n", falcon_calibration_text(measurement.calibration));
   return text;
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "app/tools/doctor/rig.h"
@@ -12,16 +11,13 @@
 namespace ghostforce {
 
 struct FalconMeasurement {
-  struct Step {
-    std::string_view title;
-    std::vector<Finding> findings;
-  };
+  using Step = MeasuredStep;
   std::vector<Step> steps;
   FalconCalibration calibration;  // with all that was found
   bool is_complete = false;       // false: the person left before the end and wants the report of what there is
 
   // Whether every finding is an answer.
-  bool has_all_answers() const;
+  bool has_all_answers() const { return is_complete && ghostforce::has_all_answers(steps); }
 };
 
 // Until the device is homed: drives it as the window would, motors off, and tells the person what to do. Throws Failure

@@ -10,8 +10,6 @@
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
-#include "app/base/quoted.h"
-#include "app/base/typed_text.h"
 #include "app/tools/doctor/readiness.h"
 #include "device/falcon/falcon_report.h"
 
@@ -79,31 +77,12 @@ void MeasuringRig::use(const FalconCalibration& calibration) {
 // --- The person ---
 
 std::string MeasuringRig::ask(const OperatorAction& action, const std::string& words) {
-  const std::optional<std::string> line = person_.ask(action, words);
-  stop_if_interrupted();
-  if (!line) {
-    throw Failure(ExitCode::answer_is_no,
-                  "The input ended before the measurement did. Nothing was written. Give every answer, or type q to "
-                  "end with a report of what has been measured.");
-  }
-  std::string answer(trimmed(*line));
-  if (answer == "q") throw LeaveMeasurement{};
-  if (answer == "s") throw SkipMeasurement{};
-  return answer;
+  return ask_person(person_, action, words);
 }
 
 double MeasuringRig::ask_number(const OperatorAction& action, const std::string& words, double least, double greatest,
                                 std::string_view unit) {
-  for (;;) {
-    const std::string answer = ask(action, words);
-    std::string with_point = answer;
-    std::ranges::replace(with_point, ',', '.');
-    const std::optional<double> value = number_in<double>(with_point);
-    // Written so that NaN is asked again too.
-    if (value && *value >= least && *value <= greatest) return *value;
-    person_.tell(fmt::format("'{}' is not a number from {} to {} {}. Type the number alone, such as {}.",
-                             quoted_text(answer), least, greatest, unit, std::sqrt(least * greatest) > 10.0 ? 60 : 5));
-  }
+  return ask_person_number(person_, action, words, least, greatest, unit);
 }
 
 Vector<3> MeasuringRig::read_still_at(const OperatorAction& action, const std::string& words) {

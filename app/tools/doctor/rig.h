@@ -19,34 +19,14 @@
 #include <string_view>
 
 #include "app/tools/doctor/bench.h"
+#include "app/tools/doctor/finding.h"
+#include "app/tools/doctor/operator.h"
 #include "device/falcon/calibration.h"
 #include "device/virtual_falcon/measured_person.h"
 
 namespace ghostforce {
 
-// The person in front of a Falcon that is being measured, as the measurement sees one: told things, asked to do things,
-// and answering in lines of text. On a terminal, out of a file, or simulated.
-class Operator {
- public:
-  Operator() = default;
-  Operator(const Operator&) = delete;
-  Operator& operator=(const Operator&) = delete;
-  virtual ~Operator() = default;
-
-  // Never while a motor is on: a terminal may take its time.
-  virtual void tell(std::string_view words) = 0;
-
-  // Says what to do and waits for a line: the answer, or an empty one when it is done. None: nobody is there any more.
-  virtual std::optional<std::string> ask(const OperatorAction& action, std::string_view words) = 0;
-
-  // While motors are on, and never waits: it is time for what the person has been told before.
-  virtual void cue(const OperatorAction& action) = 0;
-
-  bool says_yes(std::string_view words) {
-    const auto line = ask({.kind = OperatorAction::Kind::say_yes_or_no}, words);
-    return line && (line->starts_with('y') || line->starts_with('Y'));
-  }
-};
+using Operator = OperatorFor<OperatorAction>;
 
 // Three numbers of counts, for a reading.
 std::string counts_words(const Vector<3>& counts);
@@ -55,20 +35,7 @@ std::string counts_words(const Vector<3>& counts);
 std::string published_within(std::string_view what, std::span<const double> published, std::string_view unit,
                              double found, double uncertainty);
 
-// The mean of something over a while.
-struct Mean {
-  Vector<3> sum{0.0};
-  int count = 0;
-
-  void add(const Vector<3>& value) {
-    sum += value;
-    ++count;
-  }
-  Vector<3> value() const { return count > 0 ? sum / static_cast<double>(count) : Vector<3>(0.0); }
-};
-
-struct LeaveMeasurement {};  // the person has typed q
-struct SkipMeasurement {};   // the person has typed s
+using Mean = MeanOf<3>;
 
 // Why motors went off before their time.
 enum class MotorStop : std::uint8_t { released, too_fast, left_workspace, no_reply };

@@ -67,7 +67,7 @@ TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {
   EXPECT_EQ(parse(""), "");
   EXPECT_FALSE(set_up_.read_firmware_file());
   const InputOptions options = set_up_.input_options({});
-  EXPECT_EQ(set_up_.cable().id, falcon_usb_id);
+  EXPECT_EQ(set_up_.cables().falcon.id, falcon_usb_id);
   EXPECT_EQ(options.injected_fault, InjectedFault{});
   EXPECT_TRUE(options.falcon.firmware.empty());
   EXPECT_TRUE(options.falcon.calibrations.empty());
@@ -76,7 +76,7 @@ TEST_F(FalconSetUpTest, NothingAskedForAndNothingThere) {
 TEST_F(FalconSetUpTest, TakesAnIdAndInjectedFaults) {
   EXPECT_EQ(parse("--falcon-usb-id 1D50:60fc --misbehave busy,garbage --misbehave never-homes"), "");
   const InputOptions options = set_up_.input_options({});
-  EXPECT_EQ(set_up_.cable().id, (UsbId{0x1D50, 0x60FC}));
+  EXPECT_EQ(set_up_.cables().falcon.id, (UsbId{0x1D50, 0x60FC}));
   EXPECT_EQ(options.injected_fault.link, LinkFault::busy);
   EXPECT_TRUE(options.injected_fault.garbage);
   EXPECT_TRUE(options.injected_fault.never_homes);

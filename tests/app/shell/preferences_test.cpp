@@ -137,6 +137,8 @@ void name_the_parts_of_the_session(Session& session) {
       aims_at_target, measurement, stiffness_probe, circle_test,
       // A device may be gone, and a line with a set-up must mean the same everywhere.
       injected_fault, input, pointer_moves_goal, hand_is_simulated, has_motors, motors_may_push,
+      // Of the device, and of this moment.
+      motor_line_turns, zero_poses_confirmed, device_motor,
       // A recording has a new name each time.
       recording_path,
       // Of the window.

@@ -148,6 +148,13 @@ TEST_F(PaletteCatalog, ArmsAndDismissesWhereTheButtonDoes) {
   }
 }
 
+TEST_F(PaletteCatalog, TakesTheZeroPoseFromAPersonWhileADeviceWaitsForIt) {
+  EXPECT_EQ(entry_with<ConfirmZeroPose>().refusal, english_stage.refusals.no_zero_pose);
+  loop.motors = {.has_motors = true, .waits_for_zero_pose = true};
+  EXPECT_EQ(entry_with<ConfirmZeroPose>().refusal, "");
+  EXPECT_TRUE(std::holds_alternative<ConfirmZeroPose>(action_of_motor_button(loop.motors).value()));
+}
+
 // Whoever presses Enter without a look at the list arms nothing.
 TEST_F(PaletteCatalog, BeginsWithStop) {
   loop.motors = {.has_motors = true, .is_ready = true};

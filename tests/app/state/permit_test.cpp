@@ -240,5 +240,23 @@ TEST_F(PermitTest, WhatTheStageDoesNotShowIsLeftToTheWorkbench) {
   for (const Action& action : unseen) EXPECT_FALSE(may(action)) << action.index();
 }
 
+// Its line follows the handle, and the device says where it is.
+TEST_F(PermitTest, ADeviceWhoseLineTurnsIsNotTurnedByAPersonAndHasTwoMotors) {
+  session.motor_line_turns = true;
+  session.has_motors = true;
+  for (const Action& action : {Action(TurnMotorTo{0.2}), Action(TurnMotorBy{5}), Action(MeasureHand{})}) {
+    EXPECT_FALSE(may(action)) << action.index();
+  }
+  const Settings before = session.settings;
+  EXPECT_TRUE(may(SwitchMotor{}));
+  apply(session, SwitchMotor{});
+  EXPECT_EQ(session.device_motor, 1U);
+  apply(session, SwitchMotor{});
+  EXPECT_EQ(session.device_motor, 0U);
+  EXPECT_EQ(session.settings, before);
+  apply(session, ConfirmZeroPose{});
+  EXPECT_EQ(session.zero_poses_confirmed, 1U);
+}
+
 }  // namespace
 }  // namespace ghostforce::permit_test

@@ -1,0 +1,137 @@
+// A whole rehearsal with the Haply in the window: from a board that answers to one motor that pushes along a line which
+// turns with the handle. The board is in memory, and its clock is moved by the servo's steps.
+#include "app/shell/haply_input_link.h"
+
+#include <cmath>
+#include <memory>
+
+#include "app/state/permit.h"
+#include "app/state/stage_action.h"
+#include "app/tools/doctor/readiness.h"
+#include "device/virtual_haply/virtual_port.h"
+#include "tests/app/shell/driven_window.h"
+
+namespace ghostforce::haply_window_test {
+namespace {
+
+class HaplyWindow : public DrivenWindow {
+ protected:
+  HaplyWindow() {
+    ApplicationOptions options;
+    options.input = "haply";
+    options.face = Face::stage;
+    options.inputs = {haply_entry(
+        {{{"haply", "Haply 2DIY", ""}},
+         [this](const Scene& scene, const InputOptions& made) {
+           auto port = std::make_unique<VirtualPort>(VirtualPort::Options{.clock = VirtualPort::Clock::stepped});
+           port_ = port.get();
+           HaplyOptions haply = made.haply;
+           haply.is_virtual = true;
+           return std::make_unique<HaplyInput>(std::move(port), haply, scene.view.center);
+         }},
+        [](const HaplyReport& report, const MotorReport& motors) { return readiness_of(report, &motors); })};
+    open(options);
+  }
+  ~HaplyWindow() override { application_.reset(); }
+
+  HaplyInput& haply() { return dynamic_cast<HaplyInput&>(application_->servo().input()); }
+  const MotorReport& motors() { return application_->report().motors; }
+  std::string sentence() { return application_->stage_reading().sentence; }
+
+  // To a place in the scene of wall45, whose middle is the view's.
+  void lead_hand_to(const Vector<2>& place, double k_u = 200.0) {
+    const HaplyCalibration& calibration = usual_haply_variant().calibration;
+    const HaplyPlane plane(calibration, session().scene->view.center);
+    HaplyHandPlan plan = haply_hand_at(plane.in_workspace(place), 0.5);
+    plan.stiffness = k_u;
+    port_->lead_hand(plan);
+    frames(12, 100);
+  }
+  void confirm() {
+    ASSERT_TRUE(frames_until(3.0, [&] { return motors().waits_for_zero_pose; }));
+    port_->hold_zero_pose(true);
+    frames(20, 100);
+    act(ConfirmZeroPose{});
+    ASSERT_TRUE(frames_until(1.0, [&] { return haply().report().state == HaplyState::idle; }));
+    port_->hold_zero_pose(false);
+  }
+  void turn_on() {
+    confirm();
+    lead_hand_to({-0.03, -0.01});
+    lead_hand_to(outside);
+    ASSERT_TRUE(frames_until(1.0, [&] { return motors().is_ready; }));
+    act(ArmMotors{});
+    ASSERT_TRUE(frames_until(6.0, [&] { return motors().state == SafetyState::on; }));
+  }
+
+  static constexpr Vector<2> outside{-0.02, 0.02};
+  static constexpr Vector<2> inside{0.006, -0.006};
+  VirtualPort* port_ = nullptr;
+};
+
+TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
+  ASSERT_TRUE(frames_until(3.0, [&] { return motors().waits_for_zero_pose; }));
+  frames(2);
+  EXPECT_NE(sentence().find("zero pose"), std::string::npos) << sentence();
+  const std::optional<Action> button = action_of_motor_button(motors());
+  ASSERT_TRUE(button);
+  EXPECT_TRUE(std::holds_alternative<ConfirmZeroPose>(*button));
+  frames(20, 100);
+  EXPECT_TRUE(motors().waits_for_zero_pose) << "nobody has said so";
+  confirm();
+  EXPECT_FALSE(motors().waits_for_zero_pose);
+}
+
+TEST_F(HaplyWindow, ItsRailTurnsWithTheHandleAndIsNeitherSentBackNorUndone) {
+  confirm();
+  lead_hand_to({-0.03, 0.02});
+  const double left = session().settings.actuated_angle;
+  const std::uint32_t generation = application_->report().settings_generation;
+  lead_hand_to({0.03, 0.02});
+  frames(2);
+  const double turn = std::remainder(session().settings.actuated_angle - left, std::numbers::pi);
+  EXPECT_GT(std::abs(turn), 10.0 * radians_per_degree);
+  EXPECT_EQ(application_->report().settings_generation, generation);
+  EXPECT_TRUE(session().undo_offer.undo.empty()) << session().undo_offer.undo;
+  EXPECT_TRUE(permit(session(), TurnMotorTo{0.0}));
+  EXPECT_TRUE(permit(session(), MeasureHand{})) << "tones need one line";
+}
+
+TEST_F(HaplyWindow, PushesWithOneMotorAndNothingWithTheOther) {
+  turn_on();
+  lead_hand_to(inside);
+  ASSERT_EQ(motors().state, SafetyState::on);
+  EXPECT_GT(std::abs(port_->duties()[0]), 0.05);
+  EXPECT_EQ(port_->duties()[1], 0.0);
+  act(SwitchMotor{});
+  frames(10, 100);
+  ASSERT_EQ(motors().state, SafetyState::on);
+  EXPECT_EQ(motors().pushing_motor, 1U);
+  EXPECT_EQ(port_->duties()[0], 0.0);
+  EXPECT_GT(std::abs(port_->duties()[1]), 0.05);
+  act(ChooseStrategy{StrategyId::full});
+  frames(10, 100);
+  EXPECT_GT(std::abs(port_->duties()[0]), 0.02);
+  EXPECT_GT(std::abs(port_->duties()[1]), 0.02);
+  press(key::escape);
+  EXPECT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  EXPECT_EQ(port_->duties(), (std::array<double, 2>{}));
+}
+
+TEST_F(HaplyWindow, DrawsItsLinksAndAPressOnAJointChoosesItsMotor) {
+  confirm();
+  lead_hand_to(outside);
+  frames(3);
+  EXPECT_GT(count_marks(Role::linkage), 3);
+  ASSERT_TRUE(motors().linkage);
+  EXPECT_EQ(motors().linkage->joint_count, 5U);
+  EXPECT_NEAR(glm::distance(motors().linkage->joints[4], motors().handle), 0.0, 1e-12);
+  EXPECT_EQ(session().device_motor, 0U);
+  act(SwitchMotor{});
+  frames(3);
+  EXPECT_EQ(session().device_motor, 1U);
+  EXPECT_EQ(motors().pushing_motor, 1U);
+}
+
+}  // namespace
+}  // namespace ghostforce::haply_window_test

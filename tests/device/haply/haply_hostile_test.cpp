@@ -1,0 +1,214 @@
+// The driver alone, without a servo that keeps forces in bounds: forces that are none, packets that are torn anywhere,
+// and all faults in turn.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "tests/device/haply/held_haply.h"
+#include "tests/support/long_run.h"
+
+namespace ghostforce::haply_hostile_test {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// A driver at a board whose handle is held in the middle, at first without a zero pose.
+struct BareHaply {
+  BareHaply() {
+    VirtualPort::Options options{.clock = VirtualPort::Clock::stepped};
+    auto owned = std::make_unique<WatchedPort>(options);
+    port = owned.get();
+    HaplyOptions haply;
+    haply.is_virtual = true;
+    driver = std::make_unique<Haply>(std::move(owned), haply);
+    port->on_write = [this](std::span<const std::uint8_t> packet) {
+      if (!is_exchange(packet)) return;
+      for (const std::size_t at : {0U, 1U}) {
+        torques[at] = torque_in(packet, at);
+        is_sound &= std::isfinite(torques[at]) && std::abs(torques[at]) <= HaplyBoard::full_torque;
+      }
+    };
+  }
+
+  // A millisecond, in which it is asked for this force.
+  void tick(const Vector<2>& force, bool is_armed) {
+    const std::int64_t end_ns = port->now_ns() + 1'000'000;
+    while (port->now_ns() < end_ns) {
+      driver->update();
+      driver->wait_until(end_ns);
+    }
+    driver->update();
+    driver->set_force(force, is_armed);
+  }
+  void idle(double seconds) {
+    for (double t = 0.0; t < seconds; t += 0.001) tick(Vector<2>(0.0), false);
+  }
+  bool is_ready() {
+    for (int i = 0; i < 20 && !driver->report().is_readable(); ++i) {
+      port->board().hold_zero_pose(true);
+      idle(0.8);
+      driver->confirm_zero_pose();
+      idle(0.2);
+      port->board().hold_zero_pose(false);
+      idle(0.6);
+    }
+    return driver->report().is_readable();
+  }
+  bool pushes() const { return port->board().duties() != std::array{0.0, 0.0}; }
+
+  WatchedPort* port = nullptr;
+  std::unique_ptr<Haply> driver;
+  std::array<float, 2> torques{};  // that were sent last, by port
+  bool is_sound = true;
+};
+
+TEST(HaplyHostile, AForceThatIsNoneIsNone) {
+  BareHaply haply;
+  ASSERT_TRUE(haply.is_ready());
+  for (const Vector<2>& force : {Vector<2>(nan, 0.0), Vector<2>(0.0, nan), Vector<2>(nan), Vector<2>(infinity, 0.0),
+                                 Vector<2>(-infinity, infinity), Vector<2>(1e308, 1e308), Vector<2>(-1e-300, 1e-320)}) {
+    for (int i = 0; i < 3; ++i) haply.tick(force, true);
+    EXPECT_TRUE(haply.is_sound) << force.x << ' ' << force.y;
+    for (const double torque : haply.driver->report().torques) {
+      EXPECT_TRUE(std::isfinite(torque)) << "a heat that follows from it would be none: " << force.x << ' ' << force.y;
+    }
+    for (int i = 0; i < 3; ++i) haply.tick(Vector<2>(0.0), false);
+    EXPECT_FALSE(haply.pushes());
+  }
+}
+
+// More than the motors have: both get less by the same share, so that the force keeps its direction.
+TEST(HaplyHostile, BothTorquesAreShortenedTogether) {
+  BareHaply haply;
+  ASSERT_TRUE(haply.is_ready());
+  int saturated = 0;
+  for (int i = 0; i < 64; ++i) {
+    const double angle = 0.1 * i;
+    const Vector<2> force = 0.1 * std::pow(1.1, i) * Vector<2>(std::cos(angle), std::sin(angle));
+    haply.tick(force, true);
+    const auto sent = haply.driver->report().torques;
+    const auto wanted = torques_for(*haply.driver->pose(), force);
+    saturated += haply.driver->report().is_saturated ? 1 : 0;
+    const double greatest = std::max(std::abs(sent[0]), std::abs(sent[1]));
+    EXPECT_LE(greatest, hapi::greatest_torque * (1.0 + 1e-12));
+    if (haply.driver->report().is_saturated) {
+      EXPECT_NEAR(greatest, hapi::greatest_torque, 1e-12);
+    }
+    EXPECT_NEAR(sent[0] * wanted[1] - sent[1] * wanted[0], 0.0, 1e-9 * greatest * (1.0 + glm::length(force)));
+    EXPECT_GE(sent[0] * wanted[0] + sent[1] * wanted[1], 0.0);
+    // And so they went out, by port.
+    haply.tick(force, true);
+    haply.tick(Vector<2>(0.0), false);
+    haply.idle(0.02);
+  }
+  EXPECT_GT(saturated, 10);
+  EXPECT_LT(saturated, 60);
+}
+
+// Torques of both motors are any bytes. What the board reads as commands of its own, with whatever address, may make it
+// wait for more: in the end it is stopped in time, or has noticed nothing.
+TEST(HaplyHostile, APacketTornAnywhereEndsTheForceOrChangesNothing) {
+  std::mt19937_64 random{21};
+  std::uniform_real_distribution<double> newtons(-1.2, 1.2);
+  BareHaply haply;
+  double slowest_ms = 0.0;
+  int ended = 0;
+  int got_over = 0;
+  for (int trial = 0; trial < trials(400); ++trial) {
+    SCOPED_TRACE(trial);
+    ASSERT_TRUE(haply.is_ready());
+    const Vector<2> force(newtons(random), newtons(random));
+    for (int i = 0; i < 5; ++i) haply.tick(force, true);
+    haply.port->board().inject(haply_fault_named("torn-packet"));
+    const std::int64_t torn_ns = haply.port->now_ns();
+    std::int64_t last_pushing_ns = torn_ns;
+    haply.port->on_step = [&] {
+      if (haply.pushes()) last_pushing_ns = haply.port->now_ns();
+    };
+    for (int i = 0; i < 60; ++i) haply.tick(force, true);
+    haply.port->on_step = nullptr;
+    const bool is_on = haply.driver->report().state == HaplyState::active;
+    (is_on ? got_over : ended) += 1;
+    const double ms = 1e-6 * static_cast<double>(last_pushing_ns - torn_ns);
+    if (!is_on) {
+      EXPECT_LE(ms, 25.0) << torque_in(hapi::exchange({}), 0) << " force " << force.x << ' ' << force.y;
+      slowest_ms = std::max(slowest_ms, ms);
+      EXPECT_FALSE(haply.pushes());
+    }
+    haply.port->board().inject({});
+    haply.idle(0.05);
+    EXPECT_FALSE(haply.pushes());
+  }
+  EXPECT_GT(ended, 3);
+  EXPECT_GT(got_over, 3);
+  RecordProperty("slowest_ms", std::to_string(slowest_ms));
+  if (std::getenv("GHOSTFORCE_PRINT_HAPLY_FAULTS") != nullptr) {
+    std::printf("torn with both torques: %d ended the force, in %.2f ms at most; %d changed nothing\n", ended, slowest_ms,
+                got_over);
+  }
+}
+
+// Faults that come and go, one after another and several at once, while forces are asked for and motors turned off.
+TEST(HaplyHostile, WhateverHappensNothingIsSentThatMayNotBe) {
+  std::mt19937_64 random{5};
+  std::uniform_real_distribution<double> newtons(-3.0, 3.0);
+  const auto kinds = injected_haply_fault_catalog();
+  BareHaply haply;
+  ASSERT_TRUE(haply.is_ready());
+  InjectedHaplyFault wrong;
+  int off_ticks = 0;
+  int pushed_ticks = 0;
+  bool is_armed = true;
+  Vector<2> force(0.5, 0.5);
+  for (int i = 0; i < trials(60'000); ++i) {
+    if (random() % 300 == 0) {
+      kinds[random() % kinds.size()].add(wrong);
+      haply.port->board().inject(wrong);
+    }
+    if (random() % 400 == 0) haply.port->board().inject(wrong = {});
+    if (random() % 50 == 0) force = Vector<2>(newtons(random), newtons(random));
+    if (random() % 200 == 0) is_armed = !is_armed;
+    if (random() % 500 == 0) haply.port->board().hold_zero_pose(random() % 2 == 0);
+    if (random() % 150 == 0) haply.driver->confirm_zero_pose();
+    if (random() % 5'000 == 0) haply.driver->shut_down();
+    haply.tick(force, is_armed);
+    ASSERT_TRUE(haply.is_sound) << i;
+    const HaplyReport& report = haply.driver->report();
+    const bool asks = haply.torques[0] != 0.0F || haply.torques[1] != 0.0F;
+    pushed_ticks += asks ? 1 : 0;
+    off_ticks = is_armed && report.state == HaplyState::active ? 0 : off_ticks + 1;
+    if (off_ticks > 25) {
+      ASSERT_FALSE(asks) << i << ' ' << name_of(report.state);
+    }
+    // What is said to be stopped is.
+    if (off_ticks > 60 && haply.pushes() && report.state != HaplyState::opening) {
+      const bool was_anothers = haply.port->board().bench().fault().is_another_programs;
+      ASSERT_TRUE(report.may_still_push || was_anothers || report.fault == HaplyFault::no_board) << i << name_of(report.state);
+    }
+  }
+  EXPECT_GT(pushed_ticks, trials(3'000));
+}
+
+// Nobody can be asked twice for the same: a port that takes nothing is no port that has taken a stop.
+TEST(HaplyHostile, APortThatTakesNothingIsAnnounced) {
+  HeldHaply haply;
+  ASSERT_TRUE(haply.press());
+  haply.port().takes_nothing = true;
+  haply.run(2.0);
+  EXPECT_EQ(haply.motors().state, SafetyState::off);
+  EXPECT_TRUE(haply.pushes()) << "nothing reaches it";
+  EXPECT_TRUE(haply.motors().may_still_push);
+  haply.port().takes_nothing = false;
+  PushWatch watch(haply);
+  haply.run(2.0);
+  EXPECT_FALSE(haply.pushes());
+  EXPECT_LE(watch.ms_pushing(), 250.0);
+  EXPECT_FALSE(haply.motors().may_still_push);
+}
+
+}  // namespace
+}  // namespace ghostforce::haply_hostile_test
