@@ -44,7 +44,9 @@ constexpr std::string_view examples_begin = "Examples:\n";
 // By name: CLI11 keeps them in whatever order they lie in memory.
 std::vector<std::string> sorted_names(const std::set<CLI::Option*>& options) {
   std::vector<std::string> names;
-  for (const CLI::Option* const option : options) names.push_back("--" + option->get_lnames().front());
+  for (const CLI::Option* const option : options) {
+    names.push_back(option->get_positional() ? option->get_name() : "--" + option->get_lnames().front());
+  }
   std::ranges::sort(names);
   return names;
 }

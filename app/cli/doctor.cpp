@@ -25,6 +25,7 @@
 #include "app/shell/desktop/renderer.h"
 #include "app/tools/doctor/diagnosis.h"
 #include "app/tools/doctor/haply_diagnosis.h"
+#include "app/tools/doctor/haply_measure_command.h"
 #include "app/tools/doctor/measure_command.h"
 #include "app/tools/doctor/readiness.h"
 #include "app/tools/doctor/udev_rule.h"
@@ -142,13 +143,33 @@ int examine_haply(const DoctorOptions& options) {
   return static_cast<int>(diagnosis.verdict);
 }
 
+int measure_haply(const DoctorOptions& options) {
+  const InputOptions input = options.devices.input_options({});
+  const TtyPortOptions port = options.devices.cables().haply;
+  const bool is_virtual = options.input == virtual_haply_kind.name;
+  return measure_haply_with_doctor({.port = is_virtual ? nullptr : std::make_unique<TtyPort>(port),
+                                    .port_words = is_virtual          ? "a virtual Haply, which is simulated"
+                                                  : port.path.empty() ? "the only board that is known"
+                                                                      : port.path,
+                                    .haply = input.haply,
+                                    .injected_fault = input.injected_haply_fault,
+                                    .report = options.report,
+                                    .calibration = options.calibration});
+}
+
+void refuse_results_without_measuring(const DoctorOptions& options) {
+  if (!options.measure && (options.calibration || options.report != "-"))
+    throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
+}
+
 int doctor(const DoctorOptions& options) {
   if (options.install_udev) {
     install_udev_rule(options.is_udev_announced);
     return static_cast<int>(ExitCode::done);
   }
   options.devices.refuse_misbehaviour_of_others(options.input);
-  if (is_haply(options)) return examine_haply(options);
+  refuse_results_without_measuring(options);
+  if (is_haply(options)) return options.measure ? measure_haply(options) : examine_haply(options);
   const auto kinds = falcon_kinds(options.devices.cables().falcon);
   const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
   if (options.measure) {
@@ -161,9 +182,6 @@ int doctor(const DoctorOptions& options) {
                                 .is_virtual = kind.hand_is_simulated,
                                 .report = options.report,
                                 .calibration = options.calibration});
-  }
-  if (options.calibration || options.report != "-") {
-    throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
   }
   Diagnosis diagnosis;
   diagnosis.renderers = renderer_states();  // while there is one thread
@@ -207,19 +225,24 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
           command, "--wait S", options->wait_s,
           "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->check(number_between(0.0, 3600.0, "s"));
-  add_option(command, "DEVICE,--input NAME", options->input,
-             "falcon or haply, or virtual-falcon or virtual-haply to try this out; default: falcon")
+  CLI::Option* const device =
+      add_option(command, "DEVICE", options->input,
+                 "falcon or haply, or virtual-falcon or virtual-haply to try this out; default: falcon")
+          ->check(one_of(examined_names()))
+          ->excludes(install);
+  add_option(command, "--input NAME", options->input, "The same as DEVICE")
       ->check(one_of(examined_names()))
-      ->excludes(install);
+      ->excludes(install)
+      ->excludes(device);
   CLI::Option* const measure = command.add_flag(
       "--measure", options->measure,
-      "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md");
+      "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md and "
+      "docs/haply.md");
   measure->excludes(json)->excludes(install)->excludes(wait);
   files.writes(add_option(command, "-o,--output REPORT.md", options->report,
                           "With --measure: where the report goes; default: -, standard output"));
-  files.writes(
-      add_option(command, "--calibration FILE.toml", options->calibration,
-                 "With --measure: where the calibration goes; default: ~/.config/ghostforce/falcon, after asking"));
+  files.writes(add_option(command, "--calibration FILE.toml", options->calibration,
+                          "With --measure: where the calibration goes; default: ~/.config/ghostforce, after asking"));
   options->devices.attach(command, files);
   return [options] { return doctor(*options); };
 }

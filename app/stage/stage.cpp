@@ -62,6 +62,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .corner_action = content.corner ? content.corner->action : StageCommand::next,
                        .has_full = !content.moment.is_measured || content.linkage.has_value(),
                        .has_strings = has_strings(content.settings),
+                       .other_motor = content.other_motor,
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,
                        .shows_menu = content.shows_menu,

@@ -167,6 +167,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     const auto& waits = stage_language(session.language).motors.waits;
     return std::string(waits[static_cast<std::size_t>(loop.motors.obstacle) - 1]);
   }
+  if (loop.motors.motor_is_at_limit) return std::string(words.motor_is_at_limit);
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
@@ -276,7 +277,10 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.measuring = measuring_content(session);
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
-  if (!frame.shown.is_past) content.linkage = frame.loop.motors.linkage;
+  const MotorReport& motors = frame.loop.motors;
+  if (!frame.shown.is_past) content.linkage = motors.linkage;
+  if (content.linkage && motors.line_turns && shown.settings.active != StrategyId::full && !session.lesson)
+    content.other_motor = 2 - motors.pushing_motor;
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <ranges>
 
+#include <fmt/format.h>
+
 #include "app/stage/lesson_layout.h"
 #include "app/stage/sentence_widths.h"
 #include "app/stage/stage_places.h"
@@ -273,6 +275,9 @@ class Arrangement {
     };
     add(StageCommand::fit, words_.language.header.fit);
     add(layout_.lesson ? StageCommand::reset : StageCommand::reset_all, words_.language.header.reset);
+    if (words_.other_motor) {
+      add(StageCommand::other_motor, filled(words_.language.header.use_motor, fmt::format("{}", *words_.other_motor)));
+    }
     // Elsewhere it stands at the end of the row below.
     if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
       add(StageCommand::link, words_.language.header.link);

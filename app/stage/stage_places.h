@@ -154,6 +154,7 @@ struct StageFrameWords {
   StageAction corner_action = StageCommand::next;
   bool has_full = true;                             // the strategy with every motor can be chosen
   bool has_strings = false;                         // in place of motors that push
+  std::optional<std::size_t> other_motor{};         // of a device, the one that could push instead, from 1
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
   bool shows_menu = false;

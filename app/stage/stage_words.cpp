@@ -275,6 +275,7 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
   if (action == StageAction(StageCommand::fit)) return std::string(language.hovers.fit);
   if (action == StageAction(StageCommand::reset)) return std::string(language.hovers.reset);
   if (action == StageAction(StageCommand::reset_all)) return std::string(language.hovers.reset_all);
+  if (action == StageAction(StageCommand::other_motor)) return std::string(language.hovers.other_motor);
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }

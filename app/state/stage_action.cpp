@@ -43,6 +43,8 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return Restart{};
     case StageCommand::reset_all:
       return Restart{.with_scene_settings = true};
+    case StageCommand::other_motor:
+      return SwitchMotor{};
     case StageCommand::motors:
       return action_of_motor_button(motors);
     case StageCommand::lessons:

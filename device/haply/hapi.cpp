@@ -35,6 +35,24 @@ class Writer {
   std::size_t next_ = 0;
 };
 
+// The nearest number of which no byte is a command of hAPI: what is left of a packet that was torn on its way is read as
+// commands, and a set up or an exchange among them would swallow the zeros that follow. It is off by 1.2 % at most, and that
+// only right above every other power of two: 0.4 mN·m. Zero stays what it is.
+float without_commands(float number) noexcept {
+  auto bits = std::bit_cast<std::uint32_t>(number);
+  if (number == 0.0F) return number;
+  constexpr std::uint32_t last_command = 2;
+  if ((bits >> 16U & 0xFFU) <= last_command) {
+    const std::uint32_t high = bits & 0xFF000000U;
+    const float above = std::bit_cast<float>(high | 0x00030303U);
+    const float below = std::bit_cast<float>(high - 1U);
+    return std::abs(above - number) < std::abs(below - number) ? above : below;
+  }
+  if ((bits >> 8U & 0xFFU) <= last_command) bits = (bits & 0xFFFF00FFU) | 0x00000300U;
+  if ((bits & 0xFFU) <= last_command) bits = (bits & 0xFFFFFF00U) | 0x00000003U;
+  return std::bit_cast<float>(bits);
+}
+
 float float_at(std::span<const std::uint8_t> bytes) noexcept {
   std::uint32_t bits = 0;
   for (std::size_t i = 4; i-- > 0;) bits = bits << 8U | bytes[i];
@@ -66,7 +84,7 @@ ExchangePacket exchange(const PerPort<double>& torques) noexcept {
   packet.put(address);
   for (const double torque : torques) {
     const double sent = std::isfinite(torque) ? std::clamp(torque, -greatest_torque, greatest_torque) : 0.0;
-    packet.put(static_cast<float>(sent));
+    packet.put(without_commands(static_cast<float>(sent)));
   }
   return packet.bytes();
 }

@@ -37,7 +37,8 @@ using ExchangePacket = std::array<std::uint8_t, 10>;
 inline constexpr std::size_t reply_size = 9;
 
 SetUpPacket encode(const SetUp& set_up) noexcept;
-// Torques by port [N·m]. One that is not finite is sent as zero, one beyond the greatest as that.
+// Torques by port [N·m]. One that is not finite is sent as zero, one beyond the greatest as that. Others are the nearest
+// number of which no byte reads as a command, to within 0.4 mN·m.
 ExchangePacket exchange(const PerPort<double>& torques) noexcept;
 inline ExchangePacket zero_exchange() noexcept {
   return exchange({0.0, 0.0});

@@ -24,9 +24,12 @@ constexpr double least_reach_rad = 2.0 * radians_per_degree;
 constexpr double greatest_reach_rad = 15.0 * radians_per_degree;
 constexpr double rate_window_s = 0.5;
 // In a row without an answer. The published firmwares allocate at each and free nothing.
-constexpr int most_set_ups = 3;
+constexpr int most_set_ups = 2;
 // No answer was ever seen to come later [s].
 constexpr double quiet_s = 0.2;
+// Replies so late, so many in a row, make a wall that shakes the hand.
+constexpr double slow_s = 0.004;
+constexpr int most_slow_replies = 10;
 // Below a thousandth of a step of any board's duty: what rounding leaves of a motor that is not used [N·m].
 constexpr double no_torque = 1e-7;
 
@@ -227,7 +230,11 @@ void Haply::begin_exchanging() noexcept {
   still_ns_ = 0;
   sent_ns_ = heard_ns_ = awaited_ns_ = port_.now_ns();
   zeros_ns_ = 0;
-  if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) report_.state = HaplyState::zero_pose;
+  if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) {
+    report_.state = HaplyState::zero_pose;
+    report_.fault = HaplyFault::none;
+  }
+  is_unwritten_ = false;
   window_ = {.began_ns = sent_ns_};
   enter(Phase::exchanging);
 }
@@ -245,6 +252,7 @@ void Haply::exchange() noexcept {
   take_replies();
   if (phase_ != Phase::exchanging) return;
   if (since(awaited_ns_) >= give_up_s && replies_.is_waiting()) return end(HaplyFault::no_replies);
+  if (is_unwritten_ && since(unwritten_ns_) >= give_up_s) return end(HaplyFault::broken);
   const std::int64_t now_ns = port_.now_ns();
   if (now_ns >= stop_ns()) return send_zeros();
   if (wants_zero_pose_ && !may_push_ && !replies_.is_waiting()) {
@@ -305,6 +313,8 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   ++report_.exchanges;
   ++window_.exchanges;
   const double exchange_s = since(*asked_ns);
+  slow_replies_ = exchange_s > slow_s ? slow_replies_ + 1 : 0;
+  report_.is_lagging = slow_replies_ >= most_slow_replies;
   window_.sum_s += exchange_s;
   window_.worst_s = std::max(window_.worst_s, exchange_s);
   measure_rate();
@@ -325,7 +335,11 @@ bool Haply::believes(const std::array<double, 2>& angles) noexcept {
     odd_replies_ = odd_replies_ > 0 && are_near(angles, odd_, greatest_reach_rad) ? odd_replies_ + 1 : 1;
     odd_ = angles;
     if (odd_replies_ < replies_to_believe) return false;
+  } else {
+    odd_replies_ = 0;
   }
+  // An encoder that leaps farther than a hand can move an arm has lost its count.
+  if (odd_replies_ > 0 && report_.zero_pose == ZeroPose::confirmed) lose_count();
   odd_replies_ = 0;
   believed_ = angles;
   believed_ns_ = heard_ns_;
@@ -391,6 +405,18 @@ void Haply::locate(std::int64_t asked_ns) noexcept {
   }
 }
 
+void Haply::lose_count() noexcept {
+  if (report_.zero_pose != ZeroPose::confirmed) return;
+  forget_home();
+  report_.state = HaplyState::zero_pose;
+  report_.fault = HaplyFault::lost_count;
+  ++report_.faults;
+  command_ = {};
+  is_command_new_ = true;
+  // A force for a place where the handle is not: that does not wait for a reply.
+  if (phase_ == Phase::exchanging && report_.torques != std::array<double, 2>{}) send_command();
+}
+
 void Haply::confirm_zero_pose() noexcept {
   if (phase_ == Phase::exchanging && report_.state != HaplyState::active) wants_zero_pose_ = true;
 }
@@ -404,7 +430,7 @@ void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
   report_.state = is_armed ? HaplyState::active : HaplyState::idle;
   command_ = {};
   report_.is_saturated = false;
-  if (is_armed && pose_) {
+  if (is_armed && pose_ && std::isfinite(force.x) && std::isfinite(force.y)) {
     std::array<double, 2> torques = torques_for(*pose_, report_.workspace_share * force);
     double excess = 1.0;
     for (std::size_t arm = 0; arm < 2; ++arm) {
@@ -441,7 +467,10 @@ bool Haply::send(const hapi::PerPort<double>& torques) noexcept {
     may_push_ = true;
     port_.set_may_push(true);
   }
-  if (!port_.write(hapi::exchange(torques))) return false;
+  const bool is_written = port_.write(hapi::exchange(torques));
+  if (!is_written && !is_unwritten_) unwritten_ns_ = port_.now_ns();
+  is_unwritten_ = !is_written;
+  if (!is_written) return false;
   sent_ns_ = port_.now_ns();
   if (!replies_.is_waiting()) awaited_ns_ = std::max(awaited_ns_, sent_ns_);
   if (pushes) {

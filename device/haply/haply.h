@@ -54,7 +54,7 @@ class Haply {
   static constexpr double stop_s = 0.020;        // without a reply: zeros go out
   static constexpr double give_up_s = 1.2;       // without a reply: longer than a board waits for the rest of a packet
   static constexpr double keep_alive_s = 0.003;  // after a reply, if nobody commands anything
-  static constexpr double goodbye_s = 0.25;      // for the answers of a board that is let go
+  static constexpr double goodbye_s = 0.1;       // for the answers of a board that is let go
   static constexpr double last_stops_s = 3.0;    // at the end of the program, for a board that is owed a stop
   static constexpr double last_look_s = 0.5;     // since the last sign of it
   static constexpr double still_s = 0.3;         // before the zero pose is confirmed
@@ -75,6 +75,9 @@ class Haply {
   // A person says that the arms are in the zero pose. Has an effect in zero_pose, idle and fault of kinematics, with the
   // motors off.
   void confirm_zero_pose() noexcept;
+
+  // The encoders have been found not to tell where the arms are: the motors go off, and the zero pose is needed anew.
+  void lose_count() noexcept;
 
   // What the motors are to do, from now until the next call: force on the hand, in the device's frame [N]. Only has an
   // effect in idle and active.
@@ -143,11 +146,14 @@ class Haply {
   bool is_command_new_ = false;      // not sent yet
   bool is_leaving_ = false;          // nothing but zeros goes out
   bool may_push_ = false;            // a torque was sent, and no zero that the board has answered since
+  bool is_unwritten_ = false;        // the port did not take the last packet,
   bool wants_zero_pose_ = false;     // a person has confirmed it
   int short_replies_ = 0;            // that were the address alone, in a row
+  int slow_replies_ = 0;             // in a row
   int set_ups_ = 0;                  // since the last answer to a zero
   int in_flight_ = 0;                // exchanges that may still be answered
   int in_flight_before_zero_ = 0;    // of them, how many are older than the first zero
+  std::int64_t unwritten_ns_ = 0;    // and the first one since it took one
   std::int64_t sent_ns_ = 0;
   std::int64_t heard_ns_ = 0;
   std::int64_t awaited_ns_ = 0;          // since then it is to answer

@@ -23,8 +23,11 @@ constexpr double longest_known_s = Safety::longest_exchange_s;
 constexpr double unmeasured_uncertainty = 1.5;
 constexpr double measured_uncertainty = 1.1;
 
-// One arm turns so far, and the encoder of the other tells not one step: only by chance is that its true place [rad].
-constexpr double frozen_rad = 5.0 * radians_per_degree;
+// One arm turns so far, and the encoder of the other tells not one step: that may be so, and is worth a question [rad].
+constexpr double suspicious_rad = 2.0 * radians_per_degree;
+
+// A motor that comes to its limit again and again says so all the while [ns].
+constexpr std::int64_t saturated_for_ns = 300'000'000;
 
 OffReason trouble_of(const HaplyReport& report) noexcept {
   switch (report.state) {
@@ -93,9 +96,11 @@ HandleReading HaplyInput::read() noexcept {
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
   reading_.is_healthy = report.is_fast_enough() && report.worst_exchange_s < Safety::longest_exchange_s;
   reading_.trouble = trouble_of(report);
+  if (is_armed_ && report.is_lagging && reading_.trouble == OffReason::none) reading_.trouble = OffReason::loop_late;
   reading_.may_still_push = report.may_still_push;
   reading_.waits_for_zero_pose = report.state == HaplyState::zero_pose;
-  reading_.is_saturated = report.is_saturated;
+  if (report.is_saturated) saturated_ns_ = now;
+  reading_.is_saturated = saturated_ns_ != 0 && now - saturated_ns_ < saturated_for_ns;
   check();
   probe();
   estimate_heat(now);
@@ -126,8 +131,6 @@ void HaplyInput::check() noexcept {
   const HaplyReport& report = haply_.report();
   const HaplyCalibration& calibration = haply_.calibration();
   const bool has_reply = reading_.is_known && haply_.position_heard_ns() != checked_ns_;
-  const Vector<3> angles(report.angles[0], report.angles[1], 0.0);
-  bool is_frozen = false;
   if (const auto& pose = haply_.pose(); has_reply && pose) {
     checked_ns_ = haply_.position_heard_ns();
     Vector<3> torques(0.0);
@@ -139,37 +142,66 @@ void HaplyInput::check() noexcept {
       const auto axis = static_cast<glm::length_t>(arm);
       levers[axis] = std::abs(levers_of(*pose)[arm]);
       torques[axis] = (known.is_motor_reversed ? -1.0 : 1.0) * known.torque_scale * report.torques[arm];
-      strongest = std::min(strongest, hapi::greatest_torque * known.torque_scale / std::abs(levers[axis]));
-      // Some boards see every other edge alone, and count in double steps.
-      step_rad = std::max(step_rad, 2.0 * 2.0 * std::numbers::pi / known.counts_per_turn);
+      strongest = std::min(strongest, hapi::greatest_torque * known.torque_scale / levers[axis]);
+      step_rad = std::max(step_rad, step_of(arm));
     }
     motor_check_.set_force_limit(strongest);
     // The reply belongs to the command that went out last: the arms were there when it began to act.
-    motor_check_.add({.time_ns = haply_.position_time_ns(), .angles = angles, .torques = torques}, step_rad, levers);
-    is_frozen = has_frozen_encoder();
+    motor_check_.add(
+        {.time_ns = haply_.position_time_ns(), .angles = {report.angles[0], report.angles[1], 0.0}, .torques = torques},
+        step_rad, levers);
   }
-  encoder_watch_.update(angles, has_reply, glm::length(standing_), now_ns());
+  watch_encoders(has_reply);
   reading_.is_still = motor_check_.is_still();
   reading_.is_checked = motor_check_.verdict() == MotorVerdict::right;
   const bool do_not_match =
       motor_check_.verdict() == MotorVerdict::wrong || motor_check_.verdict() == MotorVerdict::silent;
-  if (is_armed_ && reading_.trouble == OffReason::none && (do_not_match || is_frozen || encoder_watch_.is_frozen())) {
+  const bool is_frozen = std::ranges::any_of(arm_watches_, [](const ArmWatch& arm) { return arm.watch.is_frozen(); });
+  if (is_armed_ && reading_.trouble == OffReason::none && (do_not_match || is_frozen)) {
     reading_.trouble = OffReason::calibration;
+    if (is_frozen) haply_.lose_count();
   }
 }
 
-bool HaplyInput::has_frozen_encoder() noexcept {
-  const std::array<double, 2>& angles = haply_.report().angles;
-  bool is_frozen = false;
+// The smallest movement that this arm's encoder was ever seen to tell. Some boards see every other edge alone, and count in
+// double steps: until it has moved, that is assumed [rad].
+double HaplyInput::step_of(std::size_t arm) noexcept {
+  ArmWatch& known = arm_watches_[arm];
+  const double nominal = 2.0 * std::numbers::pi / haply_.calibration().arms[arm].counts_per_turn;
+  const double angle = haply_.report().angles[arm];
+  const double moved = std::abs(angle - std::exchange(known.angle_before, angle));
+  if (known.least_step == 0.0) known.least_step = 2.0 * nominal;
+  // A counter tells whole steps; what is less is rounding.
+  if (moved > 0.5 * nominal) known.least_step = std::min(known.least_step, std::max(moved, nominal));
+  return known.least_step;
+}
+
+// Whether each arm's encoder still counts: while a force stands on its motor, and where the other arm turns and this one
+// does not. It is asked by its own motor, which has to move it.
+void HaplyInput::watch_encoders(bool has_reply) noexcept {
+  const HaplyReport& report = haply_.report();
+  const auto& pose = haply_.pose();
+  const Vector<2> standing = report.workspace_share * HaplyPlane::turned(standing_);
   for (std::size_t arm = 0; arm < 2; ++arm) {
-    StillEncoder& still = still_encoders_[arm];
-    const double other = angles[1 - arm];
-    if (!is_armed_ || angles[arm] != still.angle) still = {angles[arm], other, other};
-    still.other_least = std::min(still.other_least, other);
-    still.other_greatest = std::max(still.other_greatest, other);
-    is_frozen |= still.other_greatest - still.other_least > frozen_rad;
+    ArmWatch& watched = arm_watches_[arm];
+    const double angle = report.angles[arm];
+    const double other = report.angles[1 - arm];
+    if (!is_armed_ || angle != watched.angle) {
+      watched.angle = angle;
+      watched.other_least = watched.other_greatest = other;
+    }
+    watched.other_least = std::min(watched.other_least, other);
+    watched.other_greatest = std::max(watched.other_greatest, other);
+    const bool is_suspicious = is_armed_ && watched.other_greatest - watched.other_least > suspicious_rad;
+    double force = is_suspicious ? EncoderWatch::greatest_force : 0.0;
+    if (pose) {
+      const double lever = levers_of(*pose)[arm];
+      const double along = torques_for(*pose, standing)[arm] / lever;
+      if (std::isfinite(along)) force = std::max(force, std::abs(along));
+      if (!watched.watch.is_asking()) watched.sign = along < 0.0 ? -1.0 : 1.0;
+    }
+    watched.watch.update({angle, 0.0, 0.0}, has_reply, force, now_ns());
   }
-  return is_frozen;
 }
 
 // What the checks want to be pushed with now.
@@ -180,11 +212,13 @@ void HaplyInput::probe() noexcept {
   const MotorCheck::Push push = motor_check_.push_at(now_ns());
   if (push.force != 0.0) {
     reading_.probe = push.force * HaplyPlane::turned(line_of_motor(*pose, push.leg));
-  } else if (encoder_watch_.is_asking()) {
-    if (asked_way_ == Vector<2>(0.0)) asked_way_ = glm::normalize(standing_);
-    reading_.probe = encoder_watch_.force_at(now_ns()) * asked_way_;
+    return;
   }
-  if (!encoder_watch_.is_asking()) asked_way_ = Vector<2>(0.0);
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    const ArmWatch& watched = arm_watches_[arm];
+    if (!watched.watch.is_asking()) continue;
+    reading_.probe += watched.sign * watched.watch.force_at(now_ns()) * HaplyPlane::turned(line_of_motor(*pose, arm));
+  }
 }
 
 // What was sent last has stood since the call before, or has been replaced within that tick.
@@ -201,7 +235,7 @@ void HaplyInput::estimate_heat(std::int64_t now_ns) noexcept {
 void HaplyInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
   if (is_armed != is_armed_) {
     is_armed_ = is_armed;
-    encoder_watch_.reset();
+    for (ArmWatch& arm : arm_watches_) arm.watch.reset();
     if (is_armed) {
       motor_check_.begin();
     } else {

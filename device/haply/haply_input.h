@@ -79,7 +79,8 @@ class HaplyInput : public Input, public HapticDevice {
   LinkagePose linkage_of(const PantographPose& pose, std::size_t pushing) const noexcept;
   void check() noexcept;
   void probe() noexcept;
-  bool has_frozen_encoder() noexcept;
+  double step_of(std::size_t arm) noexcept;
+  void watch_encoders(bool has_reply) noexcept;
   void estimate_heat(std::int64_t now_ns) noexcept;
 
   Haply haply_;
@@ -94,21 +95,24 @@ class HaplyInput : public Input, public HapticDevice {
   HandleSpeed<2> speed_;
   HandleGoal goal_;
   MotorCheck motor_check_{2};
-  EncoderWatch encoder_watch_;
-  // How far the other arm has gone since this one's encoder told something new [rad].
-  struct StillEncoder {
+  struct ArmWatch {
+    EncoderWatch watch;
+    double sign = 1.0;  // of the force that stands, along its motor's line
+    // How far the other arm has gone since this one's encoder told something new [rad].
     double angle = 0.0;
     double other_least = 0.0;
     double other_greatest = 0.0;
+    double angle_before = 0.0;
+    double least_step = 0.0;  // 0: not known yet [rad]
   };
-  std::array<StillEncoder, 2> still_encoders_{};
+  std::array<ArmWatch, 2> arm_watches_{};
   std::int64_t checked_ns_ = 0;  // the newest reply that they have seen
   std::array<MotorHeat, 2> heat_{};
-  std::int64_t heat_ns_ = 0;  // up to when; 0: not begun
+  std::int64_t heat_ns_ = 0;       // up to when; 0: not begun
+  std::int64_t saturated_ns_ = 0;  // a motor was at its limit; 0: never
   double force_limit_ = 0.0;
   bool is_armed_ = false;
-  Vector<2> standing_{0.0};   // sent last, without the probe [N]
-  Vector<2> asked_way_{0.0};  // that of the force that stood when encoders were asked [1]
+  Vector<2> standing_{0.0};  // sent last, without the probe [N]
 };
 
 }  // namespace ghostforce

@@ -16,6 +16,7 @@ constexpr std::array faults{
     HaplyFaultEntry{HaplyFault::no_board, "no_board", "Not a hAPI board"},
     HaplyFaultEntry{HaplyFault::no_replies, "no_replies", "No answer"},
     HaplyFaultEntry{HaplyFault::restarted, "restarted", "Board restarted"},
+    HaplyFaultEntry{HaplyFault::lost_count, "lost_count", "Encoder lost its count"},
     HaplyFaultEntry{HaplyFault::kinematics, "kinematics", "Impossible position"},
     HaplyFaultEntry{HaplyFault::overruled, "overruled", "Stopped by the guard"},
     HaplyFaultEntry{HaplyFault::unguarded, "unguarded", "Guard lost"},

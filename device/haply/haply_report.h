@@ -33,6 +33,7 @@ enum class HaplyFault : std::uint8_t {
   no_board,    // something is there, and it does not speak hAPI
   no_replies,  // exchanges were answered, and are no more
   restarted,   // the board has forgotten how it was set up
+  lost_count,  // an encoder does not tell where its arm is
   kinematics,  // the angles belong to no place of the handle
   overruled,   // the guard has stopped the motors in place of this program
   unguarded,   // the guard is gone
@@ -81,6 +82,7 @@ struct HaplyReport {
   bool is_saturated = false;        // a motor cannot give what was asked for: both torques are less, in proportion
   double workspace_share = 1.0;     // of a force that the pose leaves: less near singular poses, 0 at them [1]
 
+  bool is_lagging = false;            // its last replies came so late that a wall would shake the hand
   double exchange_hz = 0.0;           // over the last half second
   double exchange_s = 0.0;            // from command to reply, on average over it
   double worst_exchange_s = 0.0;      // in it

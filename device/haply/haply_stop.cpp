@@ -5,7 +5,6 @@
 #include "device/haply/haply.h"
 
 namespace ghostforce {
-
 void Haply::end(HaplyFault fault) noexcept {
   // Also through a port that hears no more: it may still be heard.
   if (phase_ == Phase::exchanging || may_push_) {
@@ -27,7 +26,9 @@ void Haply::end(HaplyFault fault) noexcept {
 // When zeros are due if no reply has come by then.
 std::int64_t Haply::stop_ns() const noexcept {
   constexpr auto stop_after_ns = static_cast<std::int64_t>(stop_s * 1e9);
-  if (phase_ != Phase::exchanging || !replies_.is_waiting()) return std::numeric_limits<std::int64_t>::max();
+  // A packet that the port does not take is waited for like one that is not answered.
+  const bool is_due = replies_.is_waiting() || (may_push_ && is_unwritten_);
+  if (phase_ != Phase::exchanging || !is_due) return std::numeric_limits<std::int64_t>::max();
   // While it may push, time runs also where nobody asks.
   return std::max(may_push_ ? heard_ns_ : awaited_ns_, zeros_ns_) + stop_after_ns;
 }

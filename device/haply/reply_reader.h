@@ -37,8 +37,12 @@ class ReplyReader {
     return std::nullopt;
   }
 
-  // All that has come since the last reply is the address alone: how a board answers that is not set up for it.
-  bool holds_address_alone() const noexcept { return held_ == 1 && bytes_[0] == hapi::address; }
+  // All that has come since the last reply is the address, once or more often: how a board answers that is not set up for
+  // it.
+  bool holds_address_alone() const noexcept {
+    const auto held = std::span(bytes_).first(held_);
+    return held_ > 0 && std::ranges::all_of(held, [](std::uint8_t byte) { return byte == hapi::address; });
+  }
 
   // The rest of a reply will not come.
   void reset() noexcept { pass_over(held_); }

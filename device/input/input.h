@@ -36,7 +36,7 @@ struct HandleReading {
   std::optional<double> motor_angle{};
   std::size_t pushing_motor = 0;         // which of two that is, 0 or 1
   bool waits_for_zero_pose = false;      // a person has to say that the arms are where they count from
-  bool is_saturated = false;             // a motor cannot give what it was last asked for
+  bool is_saturated = false;             // a motor cannot give what it was asked for just now
   std::optional<LinkagePose> linkage{};  // of a device whose links move in the plane, as they stand in the scene
 
   MotorHeats heat{};  // estimated, since the input was made

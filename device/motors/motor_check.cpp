@@ -65,6 +65,7 @@ void MotorCheck::end() noexcept {
   needs_rest_ = true;
   tries_ = votes_ = silent_tries_ = 0;
   unclear_energy_ = unclear_margin_ = 0.0;
+  rounds_ = 0;
   verdict_ = MotorVerdict::none;
 }
 
@@ -193,6 +194,8 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   if (++leg_ < legs_) return;
   leg_ = 0;
   verdict_ = verdict_on_legs();
+  // A hand that cannot be told apart from mixed up motors so often is not waited for for ever.
+  if (verdict_ == MotorVerdict::none && ++rounds_ >= most_rounds) verdict_ = MotorVerdict::silent;
 }
 
 // Two motors against each other, added up from the pushes of one after the other: a hand gives back no more than it got

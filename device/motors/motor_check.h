@@ -27,7 +27,7 @@ enum class MotorVerdict : std::uint8_t {
   none,    // not known yet
   right,   // every motor moves its leg's encoder, and the right way
   wrong,   // one moves it the other way, or moves another leg's
-  silent,  // one moves nothing
+  silent,  // one moves nothing, or nothing can be told for a long time
 };
 
 class MotorCheck {
@@ -36,6 +36,7 @@ class MotorCheck {
   static constexpr double rest_s = 0.120;        // before each leg's: what the hand does by itself is seen here
   static constexpr double least_force = 0.6;     // a [N]
   static constexpr double greatest_force = 2.4;  // a, where the hand is heavy, stiff or lively [N]
+  static constexpr int most_rounds = 4;          // of all legs, before it gives up
   static constexpr double crest = 1.37;          // the greatest force is this times a
 
   // A place of the arms, and the torques that act from then on.
@@ -122,6 +123,7 @@ class MotorCheck {
   int tries_ = 0;                // for this leg
   int votes_ = 0;                // of pushes in a row; below 0: wrong
   int silent_tries_ = 0;         // in a row
+  int rounds_ = 0;               // of all legs, without a verdict
   double unclear_energy_ = 0.0;  // of pushes in a row that were too weak to tell [J]
   double unclear_margin_ = 0.0;
   Energy newest_;

@@ -29,7 +29,8 @@ struct MotorReport {
   bool is_outside_wall = false;          // the handle
   double handle_speed = 0.0;             // [m/s]
   Vector<2> sent{0.0};                   // force at the handle, after every limit [N]
-  bool is_saturated = false;             // the limit shortens it
+  bool is_saturated = false;             // a limit shortens it
+  bool motor_is_at_limit = false;        // and that is what a motor can give at most
   double limit = 0.0;                    // in use: lower than asked for, because the motors are not known well [N]
   double held_k_r = 0.0;                 // k_r is held at this while armed; 0: it is not held [N/m]
   double exchange_age_s = 0.0;           // of the newest reading

@@ -249,6 +249,7 @@ void Servo::watch_handle() noexcept {
   report_.motors.line_turns = handle_.motor_angle.has_value();
   report_.motors.line_angle = handle_.motor_angle.value_or(0.0);
   report_.motors.pushing_motor = handle_.pushing_motor;
+  report_.motors.motor_is_at_limit = safety_.is_armed() && handle_.is_saturated;
   report_.motors.linkage = handle_.linkage;
   report_.motors.waits_for_zero_pose = handle_.waits_for_zero_pose;
 }
@@ -260,6 +261,15 @@ void Servo::follow_motor_line() noexcept {
   if (*handle_.motor_angle == settings_.actuated_angle) return;
   settings_.actuated_angle = *handle_.motor_angle;
   update_coefficients(Change::steps);
+}
+
+// The line has turned since the force was limited, or while it fades: the little that is left across it is no motor's.
+// More than that leads over from another strategy.
+void Servo::drop_what_lags(const Vector<2>& probe, Vector<2>& force) const noexcept {
+  constexpr double least_across = 0.02;  // [N]
+  const Vector<2> standing = force - probe;
+  const Vector<2> across = standing - glm::dot(standing, motor_axis_) * motor_axis_;
+  if (glm::dot(across, across) <= least_across * least_across) force -= across;
 }
 
 void Servo::limit_force(bool tick_is_due) noexcept {
@@ -276,6 +286,7 @@ void Servo::limit_force(bool tick_is_due) noexcept {
     // Whoever has turned motors off is not pushed by what checks them.
     const Vector<2> probe = safety_.state() == SafetyState::fade ? Vector<2>(0.0) : handle_.probe;
     result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_, probe);
+    if (handle_.motor_angle && !strategy_catalog()[index_of(settings_.active)].has_every_motor) drop_what_lags(probe, result.force);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;

@@ -191,6 +191,7 @@ class Servo {
   void watch_handle() noexcept;
   void follow_motor_line() noexcept;
   void limit_force(bool tick_is_due) noexcept;
+  void drop_what_lags(const Vector<2>& probe, Vector<2>& force) const noexcept;
   Vector<2> sound_tones(bool are_allowed, bool in_contact) noexcept;
   bool measure_hand() noexcept;
   void end_measuring() noexcept;

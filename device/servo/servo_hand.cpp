@@ -2,8 +2,6 @@
 #include <optional>
 #include <utility>
 
-#include <glm/geometric.hpp>
-
 #include "core/belief.h"
 #include "device/servo/servo.h"
 

@@ -73,17 +73,16 @@ HaplyMeasurement measure_haply(Haply& haply, HaplyOperator& person, const HaplyC
 }
 
 std::string report_of(const HaplyMeasurement& measurement, const HaplyOrigin& origin) {
+  const std::string_view serial = measurement.calibration.serial.text();
   std::string text = fmt::format(
       "# Measurement of a Haply 2DIY\n\n- Program: ghostforce {}\n- When: {}\n- Device: {}{}, variant {}\n- Port: {}\n",
-      origin.version, origin.when, measurement.calibration.serial.text(),
+      origin.version, origin.when, serial.empty() ? "without a serial number" : serial,
       origin.is_virtual ? " (a rehearsal: this device is simulated)" : "", measurement.calibration.variant,
       origin.port);
   if (!measurement.is_complete) text += "- The person ended it before the last step.\n";
   text +=
-      "\nThe program that took this was written from the published firmware; not tried on a device. What stands below "
-      "in "
-      "the column \"Settles\" only a device could tell. Please open an issue with this file attached, at the place "
-      "where "
+      "\nThe program that took this was written from the published firmware; not tried on a device. What the column "
+      "\"Settles\" names only a device could tell. Please open an issue with this file attached, at the place where "
       "you got this program.\n\n";
   text += results_of(measurement.steps);
   text += fmt::format("\n## Calibration file\n\n```toml\n{}```\n", haply_calibration_text(measurement.calibration));

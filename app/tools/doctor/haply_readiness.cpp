@@ -67,10 +67,12 @@ constexpr std::array haply_faults{
                     "Unplug its power supply first, then its USB cable, and plug both in again."},
     HaplyFaultWords{HaplyFault::restarted, ReadinessStep::homed, "The board has forgotten how it was set up.",
                     "Check its power supply and cable. Then hold its zero pose again, and confirm it."},
-    HaplyFaultWords{
-        HaplyFault::kinematics, ReadinessStep::homed, "The encoders tell angles that the arms cannot have.",
-        "Hold the zero pose again, and confirm it. If that does not help, check the variant (--haply-variant) and "
-        "the calibration file."},
+    HaplyFaultWords{HaplyFault::lost_count, ReadinessStep::homed, "An encoder has lost its count.",
+                    "Check the encoders' plugs and the power supply. Then hold the zero pose again, and confirm it."},
+    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed,
+                    "The encoders tell angles that the arms cannot have.",
+                    "Hold the zero pose again, and confirm it. If that does not help, check the variant "
+                    "(--haply-variant) and the calibration file."},
     HaplyFaultWords{HaplyFault::overruled, ReadinessStep::free,
                     "The program did not run for 20 ms, so its guard turned the motors off.",
                     "Close other busy programs. The program opens the port again by itself."},
@@ -106,7 +108,8 @@ std::string zero_pose_words(const HaplyReport& report) {
   const std::string_view pose = variant != nullptr ? variant->zero_pose : usual_haply_variant().zero_pose;
   const std::string_view title = variant != nullptr ? variant->title : usual_haply_variant().title;
   std::string before;
-  if (report.fault == HaplyFault::restarted) before = fmt::format("{} ", readiness_fault(report.fault).sentence);
+  if (report.fault == HaplyFault::restarted || report.fault == HaplyFault::lost_count)
+    before = fmt::format("{} ", readiness_fault(report.fault).sentence);
   if (report.zero_pose == ZeroPose::moving) before += "The arms were moving. ";
   if (report.zero_pose == ZeroPose::refused)
     before += "The board tells other angles than it was given: check the encoders' plugs. ";

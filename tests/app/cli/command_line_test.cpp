@@ -420,7 +420,7 @@ TEST(Run, RefusesWhatBelongsToAnotherFaceOrHand) {
   expect_refused({"run", "--goal-mm=5,5", "--input", "script"}, "--goal-mm places your own hand");
   expect_refused({"run", "wall45", "--lesson", "ghost"}, "--lesson and SCENE contradict each other");
   expect_refused({"run", "--lesson", "ghost", "--view", "workbench"}, "lessons are on the stage");
-  expect_refused({"run", "--misbehave", "silence"}, "--misbehave is about the virtual Falcon");
+  expect_refused({"run", "--misbehave", "silence"}, "--misbehave is about virtual devices");
 }
 
 TEST(Run, RefusesATimeThatIsNoNumber) {

@@ -39,7 +39,7 @@ TEST(DesktopInputs, StandInTheirOrder) {
   std::vector<std::string_view> names;
   for (const InputEntry& kind : desktop_inputs()) names.push_back(kind.name);
   EXPECT_EQ(names, (std::vector<std::string_view>{"mouse", "script", "replay", "circle", "spacemouse", "falcon",
-                                                  "virtual-falcon"}));
+                                                  "haply", "virtual-falcon", "virtual-haply"}));
   EXPECT_TRUE(find_input(desktop_inputs(), scripted_hand.name));
   EXPECT_EQ(choices_of(desktop_inputs(), true).size(), names.size());
   for (const InputChoice& choice : choices_of(desktop_inputs(), false)) EXPECT_NE(choice.name, "replay");

@@ -48,7 +48,7 @@ TEST(EndOfRun, SaysNothingWhereAllWentWell) {
 
 TEST(EndOfRun, SaysWhatKeepsTheFalcon) {
   const FalconReport absent;
-  expect_end(end_at(absent), ExitCode::device_absent, "No Falcon is plugged in. Plug in the Falcon's power supply");
+  expect_end(end_at(absent), ExitCode::device_absent, "No device is plugged in. Plug in the Falcon's power supply");
   for (const FalconFaultEntry& fault : falcon_fault_catalog()) {
     if (fault.id == FalconFault::none) continue;
     const FalconReport report = with_fault(fault.id);
@@ -58,7 +58,7 @@ TEST(EndOfRun, SaysWhatKeepsTheFalcon) {
     EXPECT_NE(end.words.find(remedy_of(fault.id)), std::string::npos) << end.words;
   }
   const FalconReport busy = with_fault(FalconFault::busy);
-  expect_end(end_at(busy), ExitCode::device_refused, "The Falcon is not ready. Another program is using the device.");
+  expect_end(end_at(busy), ExitCode::device_refused, "The device is not ready. Another program is using the device.");
 }
 
 TEST(EndOfRun, SaysWhatKeepsTheSpaceMouse) {

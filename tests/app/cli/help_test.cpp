@@ -110,7 +110,7 @@ TEST(ManualPages, HaveTheSentencesOfHelp) {
     ProgramCall call;
     // As a person reads it, each sentence in one long line.
     call.words = {"--local-file", "--no-justification", "--warnings=w", folder / "page.1"};
-    call.environment = {"MANWIDTH=1000", "LC_ALL=C.UTF-8", "MANPAGER=cat", "MAN_KEEP_FORMATTING="};
+    call.environment = {"MANWIDTH=2000", "LC_ALL=C.UTF-8", "MANPAGER=cat", "MAN_KEEP_FORMATTING="};
     const Outcome shown = run_program("/usr/bin/man", call);
     EXPECT_EQ(shown.exit_code, 0) << name;
     EXPECT_EQ(shown.err, "") << name;
@@ -133,7 +133,7 @@ TEST(ManualPages, ShowLettersAndSigns) {
   write_whole(folder / "page.1", printed({"--format", "man"}, "measure-user"));
   ProgramCall call;
   call.words = {"--local-file", folder / "page.1"};
-  call.environment = {"MANWIDTH=1000", "LC_ALL=C.UTF-8", "MANPAGER=cat"};
+  call.environment = {"MANWIDTH=2000", "LC_ALL=C.UTF-8", "MANPAGER=cat"};
   const std::string shown = run_program("/usr/bin/man", call).out;
   for (const char* part : {"ρ°", "k_u = k_r / (ρ° − 1)", "--target-mm X,Y", "'simulate'", "ghostforce(1)",
                            "ghostforce measure-user visitor.csv --target-mm=0,0 --json"}) {

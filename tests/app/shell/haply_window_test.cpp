@@ -38,6 +38,13 @@ class HaplyWindow : public DrivenWindow {
   const MotorReport& motors() { return application_->report().motors; }
   std::string sentence() { return application_->stage_reading().sentence; }
 
+  // Null: it is not there.
+  const StageButton* button_for(const StageAction& action) {
+    const std::vector<StageButton>& buttons = screen().stage().picture().buttons;
+    const auto found = std::ranges::find(buttons, action, &StageButton::action);
+    return found == buttons.end() ? nullptr : &*found;
+  }
+
   // To a place in the scene of wall45, whose middle is the view's.
   void lead_hand_to(const Vector<2>& place, double k_u = 200.0) {
     const HaplyCalibration& calibration = usual_haply_variant().calibration;
@@ -131,6 +138,37 @@ TEST_F(HaplyWindow, DrawsItsLinksAndAPressOnAJointChoosesItsMotor) {
   frames(3);
   EXPECT_EQ(session().device_motor, 1U);
   EXPECT_EQ(motors().pushing_motor, 1U);
+}
+
+TEST_F(HaplyWindow, AButtonOfTheStageLetsTheOtherMotorPush) {
+  frames(2);
+  EXPECT_EQ(button_for(StageCommand::other_motor), nullptr) << "nobody knows where its motors are";
+  confirm();
+  lead_hand_to(outside);
+  frames(3);
+  ASSERT_NE(button_for(StageCommand::other_motor), nullptr);
+  EXPECT_EQ(button_for(StageCommand::other_motor)->words, "Use motor 2");
+  click_on(StageCommand::other_motor);
+  frames(3);
+  EXPECT_EQ(session().device_motor, 1U);
+  ASSERT_NE(button_for(StageCommand::other_motor), nullptr);
+  EXPECT_EQ(button_for(StageCommand::other_motor)->words, "Use motor 1");
+  act(ChooseStrategy{StrategyId::full});
+  frames(3);
+  EXPECT_EQ(button_for(StageCommand::other_motor), nullptr) << "both push";
+}
+
+TEST_F(HaplyWindow, SaysWhenTheMotorCanGiveNoMore) {
+  turn_on();
+  Stiffnesses strong = session().settings.stiffnesses;
+  strong.k_r = 800.0;
+  act(ChangeStiffnesses{strong});
+  lead_hand_to({0.02, -0.02}, 600.0);
+  frames(5, 100);
+  ASSERT_EQ(motors().state, SafetyState::on) << static_cast<int>(motors().reason);
+  EXPECT_TRUE(motors().motor_is_at_limit);
+  EXPECT_NE(sentence().find("can give no more"), std::string::npos) << sentence();
+  EXPECT_DOUBLE_EQ(std::max(std::abs(port_->duties()[0]), std::abs(port_->duties()[1])), 1.0);
 }
 
 }  // namespace

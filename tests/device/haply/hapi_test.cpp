@@ -65,10 +65,8 @@ TEST(Hapi, SetsUpAsThePublishedProgramsDo) {
 }
 
 TEST(Hapi, ExchangesInOrderOfPorts) {
-  EXPECT_EQ(bytes_of(hapi::exchange({0.0, 0.05})),
-            (Bytes{0x02, 0x05, 0x00, 0x00, 0x00, 0x00, 0xcd, 0xcc, 0x4c, 0x3d}));
-  EXPECT_EQ(bytes_of(hapi::exchange({0.05, 0.0})),
-            (Bytes{0x02, 0x05, 0xcd, 0xcc, 0x4c, 0x3d, 0x00, 0x00, 0x00, 0x00}));
+  EXPECT_EQ(bytes_of(hapi::exchange({0.0, 0.05})), (Bytes{0x02, 0x05, 0x00, 0x00, 0x00, 0x00, 0xcd, 0xcc, 0x4c, 0x3d}));
+  EXPECT_EQ(bytes_of(hapi::exchange({0.05, 0.0})), (Bytes{0x02, 0x05, 0xcd, 0xcc, 0x4c, 0x3d, 0x00, 0x00, 0x00, 0x00}));
   EXPECT_EQ(bytes_of(hapi::zero_exchange()), (Bytes{0x02, 0x05, 0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
@@ -145,7 +143,8 @@ TEST(ReplyReader, TakesRepliesApartThatCameTogether) {
 }
 
 TEST(ReplyReader, PassesOverWhatIsNoReply) {
-  for (const Bytes& garbage : {Bytes{'A', 'T', '+', 'G', 'C', 'A', 'P', '\r'}, Bytes{255}, Bytes(40, 'x'), Bytes{0, 1, 2}}) {
+  for (const Bytes& garbage :
+       {Bytes{'A', 'T', '+', 'G', 'C', 'A', 'P', '\r'}, Bytes{255}, Bytes(40, 'x'), Bytes{0, 1, 2}}) {
     ReplyReader reader;
     Bytes stream = garbage;
     const Bytes reply = reply_of(12.0F, 168.0F);
@@ -200,6 +199,23 @@ TEST(ReplyReader, ComesThroughAnyBytes) {
     ASSERT_EQ(reader.discarded_bytes() + hapi::reply_size * replies, given);
     ASSERT_TRUE(reader.take(reply_of(12.0F, 168.0F)));
   }
+}
+
+// What is left of a packet that was torn on its way is read as commands.
+TEST(Hapi, NoByteOfATorqueIsACommand) {
+  double worst = 0.0;
+  for (int i = 1; i <= 200'000; ++i) {
+    const double torque = (i % 2 == 0 ? 1.0 : -1.0) * hapi::greatest_torque * i / 200'000.0;
+    const hapi::ExchangePacket packet = hapi::exchange({torque, 0.0});
+    float sent = 0.0F;
+    std::memcpy(&sent, packet.data() + 2, sizeof sent);
+    for (std::size_t byte = 2; byte < 6; ++byte) ASSERT_GT(packet[byte], 2) << torque;
+    ASSERT_LE(std::abs(sent), static_cast<float>(hapi::greatest_torque)) << torque;
+    worst = std::max(worst, std::abs(static_cast<double>(sent) - torque));
+  }
+  EXPECT_LT(worst, 0.4e-3);
+  const hapi::ExchangePacket zeros = hapi::exchange({0.0, 0.0});
+  EXPECT_EQ(std::count(zeros.begin() + 2, zeros.end(), 0), 8);
 }
 
 }  // namespace

@@ -143,7 +143,8 @@ TEST(HaplyDriver, EveryVariantOnEveryBoardPushesAsAsked) {
         const Vector<2> got = -haply.truth().force;
         if (glm::length(wanted) < 0.5) continue;
         ++compared;
-        off_angle = std::max(off_angle, std::abs(wanted.x * got.y - wanted.y * got.x) / glm::length(wanted) / glm::length(got));
+        off_angle =
+            std::max(off_angle, std::abs(wanted.x * got.y - wanted.y * got.x) / glm::length(wanted) / glm::length(got));
         // A step of the duty is 1/1023 at worst, and an encoder's step turns a lever by a hundredth.
         ASSERT_NEAR(glm::length(got), glm::length(wanted), 0.02 * glm::length(wanted) + 0.01);
         ASSERT_GT(glm::dot(got, wanted), 0.0);

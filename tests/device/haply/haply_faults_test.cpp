@@ -1,6 +1,6 @@
-// What goes wrong while the motors push, all of the catalog: how long it is until nothing pushes, by the simulated board
-// itself; what ends the force and what is got over; and what comes back by itself. With GHOSTFORCE_PRINT_HAPLY_FAULTS in
-// the environment the times are printed as a table.
+// What goes wrong while the motors push, all of the catalog: how long it is until nothing pushes, by the simulated
+// board itself; what ends the force and what is got over; and what comes back by itself. With
+// GHOSTFORCE_PRINT_HAPLY_FAULTS in the environment the times are printed as a table.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -39,7 +39,7 @@ constexpr std::array faults{
     Fault{"unconfigured", End::out_of_reach, OffReason::not_homed, true},
     Fault{"other-id", End::at_once, OffReason::not_homed, true},
     Fault{"torn-packet", End::at_once, OffReason::not_homed, true},
-    Fault{"late-5ms", End::none},
+    Fault{"late-5ms", End::later, OffReason::loop_late},
     Fault{"late-50ms", End::at_once, OffReason::loop_late},
     Fault{"late-creeping", End::later, OffReason::loop_late},
     Fault{"lost-reply", End::none},
@@ -52,10 +52,10 @@ constexpr std::array faults{
     Fault{"wrong-sign-2", End::later},
     Fault{"half-resolution", End::none},
     Fault{"wrong-zero-pose", End::none},
-    Fault{"impossible-angles", End::at_once, OffReason::fault},
+    Fault{"impossible-angles", End::at_once, OffReason::not_homed, true},
     Fault{"frozen-encoder", End::later},
     Fault{"frozen-encoders", End::later, OffReason::calibration, true},
-    Fault{"encoder-jump", End::at_once, OffReason::calibration, true},
+    Fault{"encoder-jump", End::at_once, OffReason::not_homed, true},
     Fault{"restarts", End::at_once, OffReason::not_homed, true},
     Fault{"touched-1200-baud", End::none},
     Fault{"no-dtr", End::at_once, OffReason::loop_late, true},
@@ -96,9 +96,14 @@ void print_row(const Fault& fault, const PushWatch& watch, HeldHaply& haply) {
   const bool is_on = haply.motors().state == SafetyState::on;
   std::printf("| %-18s | %8s | %5.2f | %5.1f | %-11s | %-12s | %-14s |\n", std::string(fault.name).c_str(),
               haply.pushes() ? "stays on" : std::to_string(watch.ms_pushing()).substr(0, 5).c_str(),
-              watch.greatest_force(), mm_per_m * watch.farthest(),
-              is_on ? "on" : std::string(haply.reason()).c_str(),
-              std::string(entry_of(haply.haply().fault).name).c_str(), haply.haply().may_still_push ? "may still push" : "");
+              watch.greatest_force(), mm_per_m * watch.farthest(), is_on ? "on" : std::string(haply.reason()).c_str(),
+              std::string(entry_of(haply.haply().fault).name).c_str(),
+              haply.haply().may_still_push ? "may still push" : "");
+}
+
+// Torques of which no byte is a command of the board are dropped after a torn packet, and nothing has happened.
+bool was_got_over(const Fault& fault, HeldHaply& haply) {
+  return fault.name == "torn-packet" && haply.motors().state == SafetyState::on && haply.truth().is_configured;
 }
 
 TEST(HaplyFaults, TheTableIsTheCatalog) {
@@ -152,9 +157,9 @@ TEST(HaplyFaults, EndTheForceWheneverTheyCome) {
   for (const Fault& fault : faults) {
     if (fault.end != End::at_once) continue;
     double slowest = 0.0;
-    for (int after_ms = 0; after_ms < 60; after_ms += 7) {
+    for (int after_ms = 0; after_ms < 60; after_ms += 14) {
       HeldHaply haply;
-      ASSERT_TRUE(haply.press(after_ms % 2 == 0 ? HeldHaply::deep_place : Vector<2>(0.013, -0.007)));
+      ASSERT_TRUE(haply.press(after_ms % 28 == 0 ? HeldHaply::deep_place : Vector<2>(0.013, -0.007)));
       haply.lead({0.006, -0.014}, 0.08);
       haply.run(0.001 * after_ms);
       // Somewhere within the tick.
@@ -162,8 +167,7 @@ TEST(HaplyFaults, EndTheForceWheneverTheyCome) {
       haply.inject(fault.name);
       PushWatch watch(haply);
       haply.run(0.3);
-      // Torques of which no byte is a command of the board are dropped, and nothing has happened.
-      if (fault.name == "torn-packet" && haply.motors().state == SafetyState::on && haply.truth().is_configured) continue;
+      if (was_got_over(fault, haply)) continue;
       EXPECT_LE(watch.ms_pushing(), longest_ms) << fault.name << ' ' << after_ms << ' ' << haply.reason();
       EXPECT_FALSE(haply.pushes()) << fault.name << ' ' << after_ms;
       slowest = std::max(slowest, watch.ms_pushing());
@@ -186,14 +190,15 @@ TEST(HaplyFaults, EndTheForceOfBothMotors) {
     haply.inject(fault.name);
     PushWatch watch(haply);
     haply.run(0.5);
+    EXPECT_TRUE(audit.is_sound) << fault.name;
+    if (was_got_over(fault, haply)) continue;
     EXPECT_LE(watch.ms_pushing(), longest_ms) << fault.name;
     EXPECT_FALSE(haply.pushes()) << fault.name;
-    EXPECT_TRUE(audit.is_sound) << fault.name;
   }
 }
 
-// A naive and an anisotropic device has one motor. The other one gets no torque at all, not even a little of it: at rest,
-// where a hand is asked whether its encoders count, and in motion, where the line turns.
+// A naive and an anisotropic device has one motor. The other one gets no torque at all, not even a little of it: at
+// rest, where a hand is asked whether its encoders count, and in motion, where the line turns.
 TEST(HaplyFaults, TheOtherMotorGetsExactlyNothing) {
   for (const StrategyId active : {StrategyId::naive, StrategyId::anisotropic}) {
     HeldHaply::Options options;
@@ -339,9 +344,9 @@ TEST(HaplyFaults, ADelayEndsTheForceOrDoesNotShakeTheHand) {
     haply.run(1.0);
     const bool is_on = haply.motors().state == SafetyState::on;
     if (std::getenv("GHOSTFORCE_PRINT_HAPLY_FAULTS") != nullptr) {
-      std::printf("delay %2d ms: %s, handle moves by %.2f mm, up to %.2f N, %.0f exchanges/s\n", static_cast<int>(delay_ms),
-                  is_on ? "on" : std::string(haply.reason()).c_str(), mm_per_m * watch.farthest(),
-                  watch.greatest_force(), haply.haply().exchange_hz);
+      std::printf("delay %2d ms: %s, handle moves by %.2f mm, up to %.2f N, %.0f exchanges/s\n",
+                  static_cast<int>(delay_ms), is_on ? "on" : std::string(haply.reason()).c_str(),
+                  mm_per_m * watch.farthest(), watch.greatest_force(), haply.haply().exchange_hz);
     }
     if (is_on) {
       EXPECT_LT(watch.farthest(), 5e-3);

@@ -31,6 +31,7 @@ struct BareHaply {
         torques[at] = torque_in(packet, at);
         is_sound &= std::isfinite(torques[at]) && std::abs(torques[at]) <= HaplyBoard::full_torque;
       }
+      has_asked |= torques != std::array{0.0F, 0.0F};
     };
   }
 
@@ -64,6 +65,7 @@ struct BareHaply {
   std::unique_ptr<Haply> driver;
   std::array<float, 2> torques{};  // that were sent last, by port
   bool is_sound = true;
+  bool has_asked = false;  // for a torque
 };
 
 TEST(HaplyHostile, AForceThatIsNoneIsNone) {
@@ -109,8 +111,8 @@ TEST(HaplyHostile, BothTorquesAreShortenedTogether) {
   EXPECT_LT(saturated, 60);
 }
 
-// Torques of both motors are any bytes. What the board reads as commands of its own, with whatever address, may make it
-// wait for more: in the end it is stopped in time, or has noticed nothing.
+// Torques of both motors are any numbers. None of their bytes reads as a command of the board: what is left of a torn
+// packet is dropped, or the board is stopped in time.
 TEST(HaplyHostile, APacketTornAnywhereEndsTheForceOrChangesNothing) {
   std::mt19937_64 random{21};
   std::uniform_real_distribution<double> newtons(-1.2, 1.2);
@@ -129,13 +131,17 @@ TEST(HaplyHostile, APacketTornAnywhereEndsTheForceOrChangesNothing) {
     haply.port->on_step = [&] {
       if (haply.pushes()) last_pushing_ns = haply.port->now_ns();
     };
-    for (int i = 0; i < 60; ++i) haply.tick(force, true);
-    haply.port->on_step = nullptr;
-    const bool is_on = haply.driver->report().state == HaplyState::active;
+    const auto is_heard = [&] {
+      return haply.port->board().truth().is_configured && !haply.port->board().bench().board().is_waiting();
+    };
+    for (int i = 0; i < 20; ++i) haply.tick(force, true);
+    const bool is_on = haply.driver->report().state == HaplyState::active && is_heard() && haply.pushes();
     (is_on ? got_over : ended) += 1;
-    const double ms = 1e-6 * static_cast<double>(last_pushing_ns - torn_ns);
+    for (int i = 0; i < 300 && !is_on; ++i) haply.tick(force, true);
+    haply.port->on_step = nullptr;
     if (!is_on) {
-      EXPECT_LE(ms, 25.0) << torque_in(hapi::exchange({}), 0) << " force " << force.x << ' ' << force.y;
+      const double ms = 1e-6 * static_cast<double>(last_pushing_ns - torn_ns);
+      EXPECT_LE(ms, 25.0) << "force " << force.x << ' ' << force.y;
       slowest_ms = std::max(slowest_ms, ms);
       EXPECT_FALSE(haply.pushes());
     }
@@ -143,13 +149,37 @@ TEST(HaplyHostile, APacketTornAnywhereEndsTheForceOrChangesNothing) {
     haply.idle(0.05);
     EXPECT_FALSE(haply.pushes());
   }
-  EXPECT_GT(ended, 3);
-  EXPECT_GT(got_over, 3);
+  EXPECT_EQ(ended + got_over, trials(400));
+  EXPECT_GT(got_over, trials(400) / 2);
   RecordProperty("slowest_ms", std::to_string(slowest_ms));
   if (std::getenv("GHOSTFORCE_PRINT_HAPLY_FAULTS") != nullptr) {
-    std::printf("torn with both torques: %d ended the force, in %.2f ms at most; %d changed nothing\n", ended, slowest_ms,
-                got_over);
+    std::printf("torn with both torques: %d ended the force, in %.2f ms at most; %d changed nothing\n", ended,
+                slowest_ms, got_over);
   }
+}
+
+// One packet is misread: the next one puts it right, a millisecond or two later.
+TEST(HaplyHostile, ATorqueThatIsMisreadStandsForAnExchange) {
+  BareHaply haply;
+  ASSERT_TRUE(haply.is_ready());
+  const auto force = force_of(*haply.driver->pose(), {0.02, 0.02});
+  ASSERT_TRUE(force);
+  for (int i = 0; i < 5; ++i) haply.tick(*force, true);
+  ASSERT_GT(std::min(haply.port->board().truth().torques.x, haply.port->board().truth().torques.y), 0.01);
+  haply.port->board().inject(haply_fault_named("garbage-float"));
+  std::int64_t began_ns = 0;
+  std::int64_t ended_ns = 0;
+  haply.port->on_step = [&] {
+    const Vector<2> torques = haply.port->board().truth().torques;
+    if (torques.x >= 0.0 && torques.y >= 0.0) return;
+    if (began_ns == 0) began_ns = haply.port->now_ns();
+    ended_ns = haply.port->now_ns();
+  };
+  for (int i = 0; i < 20; ++i) haply.tick(*force, true);
+  haply.port->on_step = nullptr;
+  EXPECT_GT(began_ns, 0);
+  EXPECT_LE(ended_ns - began_ns, 2'000'000);
+  EXPECT_EQ(haply.driver->report().state, HaplyState::active);
 }
 
 // Faults that come and go, one after another and several at once, while forces are asked for and motors turned off.
@@ -160,6 +190,7 @@ TEST(HaplyHostile, WhateverHappensNothingIsSentThatMayNotBe) {
   BareHaply haply;
   ASSERT_TRUE(haply.is_ready());
   InjectedHaplyFault wrong;
+  bool is_anothers = false;  // another program's force, which may stand until it is found
   int off_ticks = 0;
   int pushed_ticks = 0;
   bool is_armed = true;
@@ -167,6 +198,7 @@ TEST(HaplyHostile, WhateverHappensNothingIsSentThatMayNotBe) {
   for (int i = 0; i < trials(60'000); ++i) {
     if (random() % 300 == 0) {
       kinds[random() % kinds.size()].add(wrong);
+      is_anothers |= wrong.is_another_programs;
       haply.port->board().inject(wrong);
     }
     if (random() % 400 == 0) haply.port->board().inject(wrong = {});
@@ -175,19 +207,19 @@ TEST(HaplyHostile, WhateverHappensNothingIsSentThatMayNotBe) {
     if (random() % 500 == 0) haply.port->board().hold_zero_pose(random() % 2 == 0);
     if (random() % 150 == 0) haply.driver->confirm_zero_pose();
     if (random() % 5'000 == 0) haply.driver->shut_down();
+    haply.has_asked = false;
     haply.tick(force, is_armed);
     ASSERT_TRUE(haply.is_sound) << i;
     const HaplyReport& report = haply.driver->report();
-    const bool asks = haply.torques[0] != 0.0F || haply.torques[1] != 0.0F;
-    pushed_ticks += asks ? 1 : 0;
+    pushed_ticks += haply.has_asked ? 1 : 0;
     off_ticks = is_armed && report.state == HaplyState::active ? 0 : off_ticks + 1;
     if (off_ticks > 25) {
-      ASSERT_FALSE(asks) << i << ' ' << name_of(report.state);
+      ASSERT_FALSE(haply.has_asked) << i << ' ' << name_of(report.state);
     }
     // What is said to be stopped is.
-    if (off_ticks > 60 && haply.pushes() && report.state != HaplyState::opening) {
-      const bool was_anothers = haply.port->board().bench().fault().is_another_programs;
-      ASSERT_TRUE(report.may_still_push || was_anothers || report.fault == HaplyFault::no_board) << i << name_of(report.state);
+    is_anothers &= haply.pushes() || wrong.power_lost;
+    if (off_ticks > 60 && haply.pushes() && !is_anothers) {
+      ASSERT_TRUE(report.may_still_push) << i << ' ' << name_of(report.state) << ' ' << entry_of(report.fault).name;
     }
   }
   EXPECT_GT(pushed_ticks, trials(3'000));

@@ -110,12 +110,13 @@ TEST(HaplyKinematics, AgreesWithThePublishedZeroPoses) {
     std::string_view variant;
     Vector<2> handle;
   };
-  for (const Row& row : {Row{"2017", {0.0100, 0.0361}}, Row{"v2", {0.0, 0.0221}}, Row{"v3", {0.0190, 0.1550}},
-                         Row{"v3.1", {0.0190, 0.0357}}, Row{"v2", {-0.0000129, 0.0220957}},
-                         Row{"v3.1", {0.01902, 0.03574}}}) {
+  for (const Row& row :
+       {Row{"2017", {0.0100, 0.0361}}, Row{"v2", {0.0, 0.0221}}, Row{"v3", {0.0190, 0.1550}},
+        Row{"v3.1", {0.0190, 0.0357}}, Row{"v2", {-0.0000129, 0.0220957}}, Row{"v3.1", {0.01902, 0.03574}}}) {
     SCOPED_TRACE(row.variant);
     const HaplyCalibration& calibration = find_haply_variant(row.variant)->calibration;
-    const auto pose = pose_at(calibration.geometry, radians(calibration.arms[0].offset_deg, calibration.arms[1].offset_deg));
+    const auto pose =
+        pose_at(calibration.geometry, radians(calibration.arms[0].offset_deg, calibration.arms[1].offset_deg));
     ASSERT_TRUE(pose);
     EXPECT_LT(glm::length(pose->handle - row.handle), 1e-4);
   }

@@ -1,5 +1,5 @@
-// A simulated Haply 2DIY in a simulated hand, under a servo that is stepped by hand: from a board that nobody has set up
-// to motors that push into a slanted wall. For tests. The options say how the driver takes the device and how it is.
+// A simulated Haply 2DIY in a simulated hand, under a servo that is stepped by hand: from a board that nobody has set
+// up to motors that push into a slanted wall. For tests. The options say how the driver takes the device and how it is.
 #pragma once
 
 #include <algorithm>
@@ -11,8 +11,8 @@
 #include <string_view>
 #include <utility>
 
-#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
+#include <glm/geometric.hpp>
 
 #include "device/haply/haply_input.h"
 #include "device/servo/servo.h"
@@ -111,8 +111,8 @@ class HeldHaply {
     run(0.5);
     const std::uint64_t set_ups = truth().set_ups;
     input_->confirm_zero_pose();
-    const bool is_set = run_until(
-        1.0, [&] { return truth().set_ups > set_ups && haply().zero_pose == ZeroPose::confirmed; });
+    const bool is_set =
+        run_until(1.0, [&] { return truth().set_ups > set_ups && haply().zero_pose == ZeroPose::confirmed; });
     board().hold_zero_pose(false);
     run(0.5);
     return is_set;
@@ -193,7 +193,9 @@ class PushWatch {
   PushWatch& operator=(const PushWatch&) = delete;
 
   // From the beginning until nothing pushed any more [ms]; 0 if nothing ever did.
-  double ms_pushing() const { return last_pushing_ns_ == 0 ? 0.0 : 1e-6 * static_cast<double>(last_pushing_ns_ - began_ns_); }
+  double ms_pushing() const {
+    return last_pushing_ns_ == 0 ? 0.0 : 1e-6 * static_cast<double>(last_pushing_ns_ - began_ns_);
+  }
   double greatest_force() const { return greatest_force_; }
   double farthest() const { return farthest_; }
   double impulse() const { return impulse_; }  // [N·s]

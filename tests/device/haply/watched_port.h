@@ -1,8 +1,9 @@
-// A port to a simulated board that is listened to: what is written, and how things really are behind it every 50 µs. For
-// tests. The board itself sees no difference.
+// A port to a simulated board that is listened to: what is written, and how things really are behind it every 50 µs.
+// For tests. The board itself sees no difference.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -48,6 +49,7 @@ class WatchedPort final : public SerialPort {
   void write_at_once(std::span<const std::uint8_t> packet) noexcept override {
     at_once.push_back({now_ns(), {packet.begin(), packet.end()}});
     board_.write_at_once(packet);
+    if (on_at_once) on_at_once();
   }
 
   // In steps, where somebody looks on. Who waits is woken no sooner for it: a step ends early only if there is news.
@@ -67,6 +69,7 @@ class WatchedPort final : public SerialPort {
 
   std::function<void()> on_step;
   std::function<void(std::span<const std::uint8_t>)> on_write;
+  std::function<void()> on_at_once;
   bool keeps_packets = false;
   std::vector<Packet> packets;
   std::vector<Packet> at_once;
