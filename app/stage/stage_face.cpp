@@ -157,7 +157,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.waits_for_zero_pose && !session.kiosk_visit) {
-    return filled(words.zero_pose, front_keys().device_status.shown);
+    return filled(stage_language(session.language).device.zero_pose, front_keys().device_status.shown);
   }
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
     return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
@@ -167,7 +167,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     const auto& waits = stage_language(session.language).motors.waits;
     return std::string(waits[static_cast<std::size_t>(loop.motors.obstacle) - 1]);
   }
-  if (loop.motors.motor_is_at_limit) return std::string(words.motor_is_at_limit);
+  if (loop.motors.motor_is_at_limit) return std::string(stage_language(session.language).device.motor_is_at_limit);
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }

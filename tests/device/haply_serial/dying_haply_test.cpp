@@ -1,7 +1,8 @@
 // A program that holds an armed Haply dies, or cannot go on, while its motors push: no published firmware would turn
-// them off. Both duties become zero and stay so, the board hears nothing but whole packets, and its next driver finds it
-// well. How soon is no test's business on a machine that does other things as well: with GHOSTFORCE_PRINT_HAPLY_FAULTS in
-// the environment each tells it, in ms by the clock of the board, as a row of a table.
+// them off. Both duties become zero and stay so, the board hears nothing but whole packets, and its next driver finds
+// it well. How soon is no test's business on a machine that does other things as well: with
+// GHOSTFORCE_PRINT_HAPLY_FAULTS in the environment each tells it as a row of a table, in ms by the clock of the board,
+// and beside it how much of that may be the board's own being late.
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/stat.h>

@@ -21,6 +21,7 @@
 #include <span>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "device/haply/hapi.h"
@@ -85,6 +86,7 @@ class ListeningBoard {
     bool is_in_zero_pose = false;   // the hand holds the arms there
     std::uint64_t pushes = 0;       // how often a duty has come on
     std::int64_t last_push_ns = 0;  // when one stood last
+    std::int64_t late_ns = 0;       // by at most so much that is too late: this machine had other things to do
 
     bool was_left_pushing = false;  // nobody had the port, and a duty stood
 
@@ -118,10 +120,14 @@ class ListeningBoard {
   static constexpr std::int64_t answer_ns = 1'000'000;  // in which it has done what a packet says
 
   void run() {
-    // As PtyBoard does: a real board has a processor of its own.
-    const sched_param parameters{.sched_priority = 5};
+    // A real board has a processor of its own. Where the system grants it, this one comes before a servo, which may be
+    // one that never stops, and after the guards.
+    const sched_param parameters{.sched_priority = 85};
     pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
-    while (!is_over_) {
+    for (std::int64_t began_ns = monotonic_ns(); !is_over_;) {
+      // What it has just heard may take effect the next time.
+      const std::int64_t before_ns = std::exchange(gap_ns_, monotonic_ns() - std::exchange(began_ns, monotonic_ns()));
+      longest_gap_ns_ = std::max(before_ns, gap_ns_);
       listen();
       live_until(monotonic_ns());
       speak(monotonic_ns());
@@ -160,6 +166,7 @@ class ListeningBoard {
       bench_.live_until(lived_ns_);
       const bool has_duty = bench_.truth().duties != std::array{0.0, 0.0};
       if (has_duty && !had_duty_) ++now_.pushes;
+      if (!has_duty && had_duty_) now_.late_ns = longest_gap_ns_;
       if (has_duty) now_.last_push_ns = lived_ns_;
       had_duty_ = has_duty;
     }
@@ -187,6 +194,8 @@ class ListeningBoard {
   Heard now_;
   std::int64_t lived_ns_;
   std::int64_t heard_ns_ = 0;
+  std::int64_t gap_ns_ = 0;          // since it listened before
+  std::int64_t longest_gap_ns_ = 0;  // of that one and the one before
   bool had_duty_ = false;
 
   std::mutex mutex_;
