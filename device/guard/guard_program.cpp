@@ -4,6 +4,7 @@
 #include <poll.h>
 #include <sched.h>
 #include <signal.h>
+#include <sys/ioctl.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
@@ -78,6 +79,13 @@ class Guard {
   }
 
   void watch() noexcept {
+    guard();
+    // A pseudo terminal would go on being refused to others.
+    if (is_serial()) ioctl(inherited_, TIOCNXCL);
+  }
+
+ private:
+  void guard() noexcept {
     take_priority();
     lock_memory();
     page_.guard_beat_ns.store(monotonic_ns(), std::memory_order_release);
@@ -102,7 +110,6 @@ class Guard {
     }
   }
 
- private:
   // Whether the program is gone.
   static bool wait(int longest_ms) noexcept {
     pollfd lifeline{guard_call::lifeline_descriptor, POLLIN, 0};

@@ -125,8 +125,8 @@ bool MotorGuard::wait_until_it_watches() noexcept {
   return false;
 }
 
-void MotorGuard::end() noexcept {
-  if (page_ != nullptr) page_->has_ended.store(true, std::memory_order_release);
+void MotorGuard::end(bool are_stopped) noexcept {
+  if (page_ != nullptr && are_stopped) page_->has_ended.store(true, std::memory_order_release);
   close_file(lifeline_);  // wakes it
   if (process_ > 0) {
     const std::int64_t deadline_ns = monotonic_ns() + end_patience_ns;

@@ -26,8 +26,9 @@ class MotorGuard {
   // Over the device of this file, which is open as `descriptor` and, on USB, has its interface claimed. Returns once the
   // guard watches. `may_push`: the device may push already. False: there is none, and motors must stay off.
   bool start(int descriptor, const std::string& node, const GuardOrders& orders, bool may_push) noexcept;
-  // Returns when the guard has closed the device's file.
-  void end() noexcept;
+  // Returns when the guard has closed the device's file. `are_stopped`: the motors, as far as this program knows; else the
+  // guard stops them first, as it would for a program that is gone.
+  void end(bool are_stopped = true) noexcept;
 
   // The driver lives.
   void beat(std::int64_t now_ns) noexcept {

@@ -138,6 +138,15 @@ int lock_out_others(int file) noexcept {
   return ioctl(file, TIOCEXCL) == 0 ? 0 : errno;
 }
 
+// Out of the way of the numbers that a file gets which somebody opens, or closes by mistake.
+int moved_up(int file) noexcept {
+  constexpr int first = 64;
+  const int moved = fcntl(file, F_DUPFD_CLOEXEC, first);
+  if (moved < 0) return file;
+  ::close(file);
+  return moved;
+}
+
 void close_quietly(int file) noexcept {
   // A terminal that somebody else has open too would go on being refused to others.
   ioctl(file, TIOCNXCL);
@@ -163,7 +172,7 @@ int open_terminal(const std::string& node, LinkFault& why_not) noexcept {
   }
   error = make_raw(file);
   why_not = error == 0 ? LinkFault::none : open_fault_of(error);
-  if (error == 0) return file;
+  if (error == 0) return moved_up(file);
   close_quietly(file);
   return -1;
 }
@@ -189,6 +198,12 @@ LinkFault TtyPort::take(const StopDebts& owed) {
   LinkFault why_not = LinkFault::none;
   const int file = open_terminal(target.node, why_not);
   if (file < 0) return why_not;
+  struct stat status {};
+  if (fstat(file, &status) != 0) {
+    close_quietly(file);
+    return LinkFault::broken;
+  }
+  device_ = status.st_rdev;
   descriptor_ = file;
   fault_ = LinkFault::none;
   serial_ = std::move(target.serial);
@@ -225,31 +240,38 @@ bool TtyPort::is_any_plugged_in(const StopDebts& owed) const noexcept {
 void TtyPort::close() noexcept {
   if (descriptor_ < 0) return;
   const std::int64_t deadline_ns = monotonic_ns() + stop_patience_ns;
-  if (may_push_) insist_on_stop(deadline_ns);
-  empty_output(may_push_ ? deadline_ns : 0);
-  guard_.end();
+  const bool are_stopped = !may_push_ || insist_on_stop(deadline_ns);
+  if (is_still_port(descriptor_)) empty_output(may_push_ ? deadline_ns : 0);
+  guard_.end(are_stopped);
   may_push_ = false;
   // The number of a file that is closed may be another file's at once: not while somebody writes by it.
   const int file = descriptor_.exchange(-1);
   const std::int64_t last_write_ns = monotonic_ns() + last_write_patience_ns;
   while (is_writing_at_once_ && monotonic_ns() < last_write_ns) sleep_until_monotonic(monotonic_ns() + ns_per_ms / 10);
-  close_quietly(file);
+  if (is_still_port(file)) close_quietly(file);
+}
+
+// Whoever closes what is not theirs makes its number another file's: nothing goes there, and nothing of it is closed.
+bool TtyPort::is_still_port(int file) const noexcept {
+  struct stat status {};
+  return fstat(file, &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == device_;
 }
 
 // Twice, as nobody waits for the answer. Also after a packet that was torn: what of these a board takes for the rest of it
 // is a torque of next to nothing, because no byte of it is more than the address. The guard is told that this program
-// lives, or it would do the same at the same time.
-void TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
+// lives, or it would do the same at the same time. Whether they have gone out.
+bool TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
   const hapi::ExchangePacket stop = hapi::zero_exchange();
   for (int stops = 0; stops < closing_stops;) {
     const std::int64_t now_ns = monotonic_ns();
-    if (now_ns >= deadline_ns) return;
+    if (now_ns >= deadline_ns || !is_still_port(descriptor_)) return false;
     guard_.beat(now_ns);
     const ssize_t sent = ::write(descriptor_, stop.data(), stop.size());
-    if (sent < 0 && !is_momentary(errno)) return;
+    if (sent < 0 && !is_momentary(errno)) return false;
     if (sent == static_cast<ssize_t>(stop.size())) ++stops;
     sleep_until_monotonic(now_ns + ns_per_ms);
   }
+  return true;
 }
 
 // What a board does not take is dropped: closing would wait for half a minute until it does.
@@ -301,6 +323,10 @@ bool TtyPort::write(std::span<const std::uint8_t> packet) noexcept {
   if (has_gone() || packet.empty() || packet.size() > longest_packet) return false;
   const bool is_stop = std::ranges::equal(packet, hapi::zero_exchange());
   if (!is_stop && (fault_ != LinkFault::none || emergency_stop::is_ordered())) return false;
+  if (!is_still_port(descriptor_)) {
+    set_fault(LinkFault::broken);
+    return false;
+  }
   const ssize_t sent = ::write(descriptor_, packet.data(), packet.size());
   if (sent < 0) failed(errno);
   // The rest would come as a packet of its own, and a board reads it as commands.

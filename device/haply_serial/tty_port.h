@@ -64,7 +64,8 @@ class TtyPort final : public SerialPort {
   void heed_guard() noexcept;
   bool has_gone() const noexcept { return descriptor_ < 0 || fault_ == LinkFault::unplugged; }
   bool await_input(std::int64_t longest_ns) noexcept;
-  void insist_on_stop(std::int64_t deadline_ns) noexcept;
+  bool insist_on_stop(std::int64_t deadline_ns) noexcept;
+  bool is_still_port(int file) const noexcept;
   void empty_output(std::int64_t deadline_ns) noexcept;
   void failed(int error) noexcept;
   void set_fault(LinkFault fault) noexcept;
@@ -74,6 +75,7 @@ class TtyPort final : public SerialPort {
   LinkFault fault_ = LinkFault::absent;
   std::string serial_;
   bool may_push_ = false;
+  dev_t device_ = 0;  // of the port that was opened
 
   // -1: not open.
   std::atomic<int> descriptor_{-1};

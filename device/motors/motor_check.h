@@ -36,7 +36,7 @@ class MotorCheck {
   static constexpr double rest_s = 0.120;        // before each leg's: what the hand does by itself is seen here
   static constexpr double least_force = 0.6;     // a [N]
   static constexpr double greatest_force = 2.4;  // a, where the hand is heavy, stiff or lively [N]
-  static constexpr int most_rounds = 4;          // of all legs, before it gives up
+  static constexpr int most_rounds = 12;         // of all legs, before it gives up
   static constexpr double crest = 1.37;          // the greatest force is this times a
 
   // A place of the arms, and the torques that act from then on.
