@@ -51,8 +51,8 @@ constexpr std::array reasons{
     OffReasonEntry{
         OffReason::calibration, "calibration", "motor check failed",
         "The motors did not move the handle as they were told, or the encoders did not say so. Check the "
-        "power supply. Then run 'ghostforce doctor --measure': the calibration file may have wrong numbers in "
-        "motor_of_leg or encoder_of_leg.",
+        "power supply. Then measure the device with 'ghostforce doctor DEVICE --measure': in its calibration file a "
+        "motor may have the wrong sign, or the wrong place.",
         true, false},
     OffReasonEntry{OffReason::fault, "fault", "fault", "Something failed. The device status ({}) says what.", true,
                    false},

@@ -19,7 +19,7 @@ constexpr std::array catalog{
     Command{"measure-user", "Compute how stiff the hand in a run was, from the proxy drift at rest",
             attach_measure_user},
     Command{"check", "Compare the pictures of a folder of cases with the stored ones", attach_check},
-    Command{"doctor", "Show what a Falcon still needs before it can push, and what to do", attach_doctor},
+    Command{"doctor", "Show what a device still needs before it can push, and what to do", attach_doctor},
     Command{"help", "Print the help or the manual page of a command, or a completion script for a shell", attach_help},
 };
 

@@ -1,6 +1,9 @@
 #include "app/cli/desktop_inputs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -68,8 +71,13 @@ const InputMaker<VirtualHaplyInput> virtual_haply_kind{
      /*needs_recording=*/false,
      /*hand_is_simulated=*/true},
     [](const Scene& scene, const InputOptions& options) {
+      // A board that is plugged in again gets another terminal: the link leads to it.
+      static std::atomic<int> made{0};
+      const std::filesystem::path link =
+          std::filesystem::temp_directory_path() / fmt::format("ghostforce-virtual-haply-{}-{}", getpid(), ++made);
       auto board = std::make_unique<PtyBoard>(
-          PtyBoard::Options{.device = {.variant = options.haply.usual.variant, .fault = options.injected_haply_fault}});
+          PtyBoard::Options{.device = {.variant = options.haply.usual.variant, .fault = options.injected_haply_fault},
+                            .link = link.string()});
       auto port = std::make_unique<TtyPort>(TtyPortOptions{.path = board->port(), .is_guarded = false});
       return std::make_unique<VirtualHaplyInput>(std::move(board), std::move(port), options.haply, scene);
     }};

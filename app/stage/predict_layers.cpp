@@ -66,6 +66,7 @@ void add_predict(const StageLayer& layer) {
   // The spring leads to the guess.
   StageContent question = content;
   question.moment = moment_of_question(content);
+  question.linkage.reset();  // its links meet at the answer
   const StageLayer asked{question, layout, canvas};
   add_stage_wall(asked);
   add_rail(asked);

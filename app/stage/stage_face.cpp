@@ -157,6 +157,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.waits_for_zero_pose && !session.kiosk_visit) {
+    if (loop.motors.zero_pose_moved) return std::string(stage_language(session.language).device.zero_pose_moved);
     return filled(stage_language(session.language).device.zero_pose, front_keys().device_status.shown);
   }
   if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {

@@ -26,6 +26,7 @@ constexpr Refusal curves_are_hidden{&Why::curves_are_hidden, true, true};
 constexpr Refusal measures_otherwise{&Why::measures_otherwise, true};
 constexpr Refusal not_with_this_device{&Why::not_with_this_device, true};
 constexpr Refusal tones_need_one_line{&Why::tones_need_one_line, true};
+constexpr Refusal leaves_device{&Why::leaves_device, true};
 constexpr Refusal line_follows_handle{&Why::line_follows_handle, true};
 
 // A visitor has no way to files, settings or the window.
@@ -171,6 +172,7 @@ Permission permit_kind(const Session& session, const Restart& action) {
 
 Permission permit_kind(const Session& session, const ToggleMode& action) {
   if (action.mode == StageMode::landscape && !has_joints(session.settings)) return permit_paper(session);
+  if (action.mode == StageMode::round && session.motor_line_turns) return leaves_device;
   return action.mode == StageMode::measure ? permit_probe(session) : std::nullopt;
 }
 

@@ -50,6 +50,7 @@ void draw_step(const PanelContext& context) {
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
   draw_zero_pose(context);
+  if (context.loop.motors.waits_for_zero_pose) ImGui::SameLine();
   const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
   if (ImGui::SmallButton(status.c_str())) context.apply(ToggleDialog{Dialog::doctor});
 }

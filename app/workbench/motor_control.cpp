@@ -129,7 +129,8 @@ void draw_motor_words(const PanelContext& context) {
 
 void draw_zero_pose(const PanelContext& context) {
   if (!context.loop.motors.waits_for_zero_pose) return;
-  const std::string words(stage_language(context.session.language).motors.zero_pose);
+  // The sentence beside it is in English too.
+  const std::string words(english_stage.motors.zero_pose);
   if (ImGui::Button(words.c_str())) context.apply(ConfirmZeroPose{});
 }
 

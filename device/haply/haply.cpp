@@ -69,17 +69,6 @@ std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept
   return {calibration.arms[0].offset_deg * radians_per_degree, calibration.arms[1].offset_deg * radians_per_degree};
 }
 
-// How far a pose is from one in which two links are parallel: the smallest sine between any two that meet.
-double margin_of(const PantographPose& pose, const std::array<double, 2>& angles) noexcept {
-  const auto sine = [](const Vector<2>& a, const Vector<2>& b) { return std::abs(a.x * b.y - a.y * b.x); };
-  double margin = sine(pose.directions[0], pose.directions[1]);
-  for (std::size_t arm = 0; arm < 2; ++arm) {
-    const Vector<2> driven(std::cos(angles[arm]), std::sin(angles[arm]));
-    margin = std::min(margin, sine(driven, pose.directions[arm]));
-  }
-  return margin;
-}
-
 }  // namespace
 
 Haply::Haply(std::unique_ptr<SerialPort> port, HaplyOptions options)
@@ -158,7 +147,8 @@ void Haply::opened(LinkFault fault) noexcept {
   if (fault != LinkFault::none) return end(fault_of(fault));
   emergency_stop::watch(&port_);
   report_.is_guarded = port_.is_guarded();
-  report_.serial = device_serial_of(port_.serial());
+  const DeviceSerial before = std::exchange(report_.serial, device_serial_of(port_.serial()));
+  has_answered_ = has_answered_ && before == report_.serial;
   calibration_ = calibration_of(report_.serial, options_.calibrations, options_.usual);
   report_.variant = calibration_.variant;
   report_.exchanges = report_.lost_exchanges = 0;
@@ -200,7 +190,7 @@ void Haply::probe() noexcept {
     report_.was_set_up = false;
     return send_set_up();
   }
-  if (since(phase_began_ns_) >= probe_s) end(HaplyFault::no_board);
+  if (since(phase_began_ns_) >= probe_s) end(has_answered_ ? HaplyFault::no_replies : HaplyFault::no_board);
 }
 
 // Stops the motors too, whoever has them pushing under whatever address.
@@ -230,6 +220,7 @@ void Haply::begin_exchanging() noexcept {
   still_ns_ = 0;
   sent_ns_ = heard_ns_ = awaited_ns_ = port_.now_ns();
   zeros_ns_ = 0;
+  has_answered_ = true;
   if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) {
     report_.state = HaplyState::zero_pose;
     report_.fault = HaplyFault::none;

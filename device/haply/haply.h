@@ -144,6 +144,7 @@ class Haply {
   ReplyMatcher replies_;
   std::array<double, 2> command_{};  // torques of the arms [N·m]
   bool is_command_new_ = false;      // not sent yet
+  bool has_answered_ = false;        // this board, as one that speaks hAPI
   bool is_leaving_ = false;          // nothing but zeros goes out
   bool may_push_ = false;            // a torque was sent, and no zero that the board has answered since
   bool is_unwritten_ = false;        // the port did not take the last packet,

@@ -91,6 +91,8 @@ HandleReading HaplyInput::read() noexcept {
   } else {
     speed_.forget();
   }
+  // Links that nobody knows are not drawn.
+  if (!report.is_readable()) reading_.linkage.reset();
   reading_.speed = speed_.value();
   reading_.deadman_held = false;  // it has no button
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;
@@ -99,6 +101,7 @@ HandleReading HaplyInput::read() noexcept {
   if (is_armed_ && report.is_lagging && reading_.trouble == OffReason::none) reading_.trouble = OffReason::loop_late;
   reading_.may_still_push = report.may_still_push;
   reading_.waits_for_zero_pose = report.state == HaplyState::zero_pose;
+  reading_.zero_pose_moved = report.zero_pose == ZeroPose::moving;
   if (report.is_saturated) saturated_ns_ = now;
   reading_.is_saturated = saturated_ns_ != 0 && now - saturated_ns_ < saturated_for_ns;
   check();

@@ -71,6 +71,41 @@ std::optional<std::array<double, 2>> angles_at(const PantographGeometry& geometr
   return angles;
 }
 
+double margin_of(const PantographPose& pose, const std::array<double, 2>& angles) noexcept {
+  double margin = std::abs(cross(pose.directions[0], pose.directions[1]));
+  for (std::size_t arm = 0; arm < 2; ++arm) {
+    margin = std::min(margin, std::abs(cross(along(angles[arm]), pose.directions[arm])));
+  }
+  return margin;
+}
+
+Vector<2> nearest_within_reach(const PantographGeometry& geometry, const Vector<2>& center,
+                               const Vector<2>& goal) noexcept {
+  constexpr double least_margin = 0.3;
+  constexpr int halvings = 20;
+  const auto is_within = [&](double share) {
+    const auto angles = angles_at(geometry, glm::mix(center, goal, share));
+    const auto pose = angles ? pose_at(geometry, *angles) : std::nullopt;
+    return pose && margin_of(*pose, *angles) >= least_margin;
+  };
+  // From the middle on: beyond a place that is out of reach there may be another one that is not, round the other way.
+  constexpr int steps = 64;
+  double within = 0.0;
+  double beyond = 1.0;
+  bool is_all_within = true;
+  for (int i = 1; i <= steps && is_all_within; ++i) {
+    const double share = static_cast<double>(i) / steps;
+    is_all_within = is_within(share);
+    (is_all_within ? within : beyond) = share;
+  }
+  if (is_all_within) return goal;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (within + beyond);
+    (is_within(middle) ? within : beyond) = middle;
+  }
+  return glm::mix(center, goal, within);
+}
+
 std::array<double, 2> torques_for(const PantographPose& pose, const Vector<2>& force) noexcept {
   return {glm::dot(pose.jacobian[0], force), glm::dot(pose.jacobian[1], force)};
 }

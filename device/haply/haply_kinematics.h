@@ -33,6 +33,14 @@ std::optional<PantographPose> pose_at(const PantographGeometry& geometry, const 
 // The angles of the driven links with both elbows outwards. Empty: out of reach.
 std::optional<std::array<double, 2>> angles_at(const PantographGeometry& geometry, const Vector<2>& handle) noexcept;
 
+// The place nearest to `goal` on the way from `center` that the handle reaches with no two links nearly in line. `center`
+// is within reach.
+Vector<2> nearest_within_reach(const PantographGeometry& geometry, const Vector<2>& center,
+                               const Vector<2>& goal) noexcept;
+
+// How far a pose is from one in which two links are parallel: the smallest sine between any two that meet.
+double margin_of(const PantographPose& pose, const std::array<double, 2>& angles) noexcept;
+
 // τ = Jᵀ f [N·m].
 std::array<double, 2> torques_for(const PantographPose& pose, const Vector<2>& force) noexcept;
 

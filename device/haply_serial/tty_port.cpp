@@ -79,7 +79,8 @@ Target target_at(const std::string& path, const std::vector<SerialPortFound>& po
     std::error_code gone;
     return std::filesystem::canonical(each.path, gone) == target.node;
   });
-  target.serial = port == ports.end() || port->serial.empty() ? target.node : port->serial;
+  // A person's name for it stays the same where the terminal behind it does not.
+  target.serial = port == ports.end() || port->serial.empty() ? path : port->serial;
   return target;
 }
 

@@ -35,6 +35,7 @@ struct HandleReading {
   // The direction in which one motor pushes alone, where that turns with the handle [rad]. Empty: the settings say it.
   std::optional<double> motor_angle{};
   std::size_t pushing_motor = 0;         // which of two that is, 0 or 1
+  bool zero_pose_moved = false;          // one has said so, and they were moving
   bool waits_for_zero_pose = false;      // a person has to say that the arms are where they count from
   bool is_saturated = false;             // a motor cannot give what it was asked for just now
   std::optional<LinkagePose> linkage{};  // of a device whose links move in the plane, as they stand in the scene

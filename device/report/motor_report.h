@@ -38,6 +38,7 @@ struct MotorReport {
   bool may_still_push = false;           // a device has not answered since it was told to stop, perhaps another one
   bool has_focus = true;                 // keys reach the window, so that Esc turns them off
   MotorHeats heat{};                     // estimated (core/motor_heat.h)
+  bool zero_pose_moved = false;          // one has said so, and they were moving
   bool waits_for_zero_pose = false;      // a person has to say that the arms are there
   bool line_turns = false;               // with the handle: the line of the motor that pushes alone
   double line_angle = 0.0;               // then: its direction now [rad]

@@ -252,6 +252,7 @@ void Servo::watch_handle() noexcept {
   report_.motors.motor_is_at_limit = safety_.is_armed() && handle_.is_saturated;
   report_.motors.linkage = handle_.linkage;
   report_.motors.waits_for_zero_pose = handle_.waits_for_zero_pose;
+  report_.motors.zero_pose_moved = handle_.zero_pose_moved;
 }
 
 // A motor whose line turns with the handle pushes along where it is now.
@@ -286,7 +287,8 @@ void Servo::limit_force(bool tick_is_due) noexcept {
     // Whoever has turned motors off is not pushed by what checks them.
     const Vector<2> probe = safety_.state() == SafetyState::fade ? Vector<2>(0.0) : handle_.probe;
     result = limiter_.pass(force_at(handle_.position), safety_.gain(), motors.limit, elapsed_s, tone_, probe);
-    if (handle_.motor_angle && !strategy_catalog()[index_of(settings_.active)].has_every_motor) drop_what_lags(probe, result.force);
+    if (handle_.motor_angle && !strategy_catalog()[index_of(settings_.active)].has_every_motor)
+      drop_what_lags(probe, result.force);
     if (!result.was_finite) safety_.turn_off(OffReason::fault);
   }
   motors.sent = result.force;

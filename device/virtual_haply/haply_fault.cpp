@@ -11,6 +11,11 @@ void set_haply(InjectedHaplyFault& wrong) noexcept {
   wrong.*member = value;
 }
 
+template <auto member>
+void halve(InjectedHaplyFault& wrong) noexcept {
+  wrong.*member *= 0.5;
+}
+
 template <std::uint8_t motors>
 void reverse(InjectedHaplyFault& wrong) noexcept {
   wrong.reversed_motors |= motors;
@@ -64,9 +69,9 @@ constexpr std::array haply_kinds{
     InjectedHaplyFaultKind{"wrong-sign-1", "The motor of arm 1 pushes the other way.", reverse<1>},
     InjectedHaplyFaultKind{"wrong-sign-2", "The motor of arm 2 pushes the other way.", reverse<2>},
     InjectedHaplyFaultKind{"half-resolution", "Both encoders count half as many steps, so that angles change by half.",
-                           set_haply<&InjectedHaplyFault::encoder_share, 0.5>},
+                           halve<&InjectedHaplyFault::encoder_share>},
     InjectedHaplyFaultKind{"wrong-zero-pose", "The person holds both arms 8° too far outwards for the zero pose.",
-                           set_haply<&InjectedHaplyFault::zero_pose_error_degrees, 8.0>},
+                           set_haply<&InjectedHaplyFault::zero_pose_error_degrees, 8>},
     InjectedHaplyFaultKind{"impossible-angles", "All replies give angles of arms that have passed through each other.",
                            spoil_replies<HaplyReplyFault::crossed, all_replies>},
     InjectedHaplyFaultKind{"frozen-encoder", "The encoder of arm 1 stops counting.",
@@ -74,7 +79,7 @@ constexpr std::array haply_kinds{
     InjectedHaplyFaultKind{"frozen-encoders", "Both encoders stop counting.",
                            set_haply<&InjectedHaplyFault::frozen_encoders, std::uint8_t{3}>},
     InjectedHaplyFaultKind{"encoder-jump", "The encoder of arm 1 jumps by 20°, once.",
-                           set_haply<&InjectedHaplyFault::encoder_jump_degrees, 20.0>},
+                           set_haply<&InjectedHaplyFault::encoder_jump_degrees, 20>},
     InjectedHaplyFaultKind{"restarts", "The board restarts and forgets its set up and its angles, once.",
                            set_haply<&InjectedHaplyFault::restarts>},
     InjectedHaplyFaultKind{"touched-1200-baud", "The port was set to 1200 baud: the board vanishes when it is closed.",

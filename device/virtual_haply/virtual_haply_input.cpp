@@ -19,6 +19,7 @@ VirtualHaplyInput::VirtualHaplyInput(std::unique_ptr<PtyBoard> made, std::unique
                                      HaplyOptions options, const Scene& scene)
     : HeldPtyBoard{std::move(made)},
       HaplyInput(std::move(port), completed(options), scene.view.center),
+      usual_(options.usual),
       plane_(options.usual, scene.view.center),
       goal_(scene.view.center),
       k_u_(scene.settings.stiffnesses.k_u) {}
@@ -40,7 +41,8 @@ void VirtualHaplyInput::set_user_stiffness(double k_u) noexcept {
 }
 
 void VirtualHaplyInput::lead() noexcept {
-  HaplyHandPlan plan = haply_hand_at(plane_.in_workspace(goal_), move_s_);
+  const Vector<2> reached = nearest_within_reach(usual_.geometry, usual_.center, plane_.in_workspace(goal_));
+  HaplyHandPlan plan = haply_hand_at(reached, move_s_);
   plan.stiffness = k_u_;
   board->lead_hand(plan);
 }

@@ -1,6 +1,6 @@
 // VirtualHaplyInput: a rehearsal. The same driver as for a real Haply 2DIY, over a real serial port of the system, on a
-// simulated board with arms in a simulated hand (pty_board.h); the pointer of the window guides that hand, which holds the
-// zero pose as long as the driver waits for it.
+// simulated board with arms in a simulated hand (pty_board.h); the pointer of the window guides that hand, as far as the arms reach; it holds
+// the zero pose as long as the driver waits for it.
 //
 // Made on the UI thread; functions of PointerTarget, inject() and hold_zero_pose() stay its, the rest is the servo
 // thread's.
@@ -39,6 +39,7 @@ class VirtualHaplyInput final : private HeldPtyBoard, public HaplyInput, public 
  private:
   void lead() noexcept;
 
+  HaplyCalibration usual_;
   HaplyPlane plane_;
   std::uint64_t ignored_moves_ = 0;
   Vector<2> goal_;  // of the hand, in the scene [m]

@@ -55,10 +55,8 @@ constexpr std::array haply_faults{
                     "Close that program. ModemManager lets go of it after half a minute."},
     HaplyFaultWords{HaplyFault::unsupported, ReadinessStep::free, "What is named as the port is no serial port.",
                     "Name the board's port with --haply-port, as /dev/ttyACM0."},
-    HaplyFaultWords{
-        HaplyFault::unplugged, ReadinessStep::seen, "The board was unplugged.",
-        "If its power supply is still in, unplug that too: its motors may push as before. Then plug the board in "
-        "again: the program keeps looking for it."},
+    HaplyFaultWords{HaplyFault::unplugged, ReadinessStep::seen, "The board was unplugged.",
+                    "Plug it in again: the program keeps looking for it. The motors stay off until you arm them."},
     HaplyFaultWords{HaplyFault::broken, ReadinessStep::firmware, "The port does not take what is sent.",
                     "Use another cable or another USB port, one on the computer itself."},
     HaplyFaultWords{HaplyFault::no_board, ReadinessStep::firmware, "What is at this port does not speak hAPI.",
@@ -69,8 +67,7 @@ constexpr std::array haply_faults{
                     "Check its power supply and cable. Then hold its zero pose again, and confirm it."},
     HaplyFaultWords{HaplyFault::lost_count, ReadinessStep::homed, "An encoder has lost its count.",
                     "Check the encoders' plugs and the power supply. Then hold the zero pose again, and confirm it."},
-    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed,
-                    "The encoders tell angles that the arms cannot have.",
+    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed, "The encoders tell angles that the arms cannot have.",
                     "Hold the zero pose again, and confirm it. If that does not help, check the variant "
                     "(--haply-variant) and the calibration file."},
     HaplyFaultWords{HaplyFault::overruled, ReadinessStep::free,

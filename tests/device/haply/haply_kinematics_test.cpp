@@ -46,7 +46,7 @@ double difference(const Matrix<2>& a, const Matrix<2>& b) {
 }
 
 // A sine between any two links that meet: near 0 no place and no force can be told.
-double margin_of(const PantographPose& pose, const Angles& angles) {
+double own_margin_of(const PantographPose& pose, const Angles& angles) {
   double margin = std::abs(cross(pose.directions[0], pose.directions[1]));
   for (std::size_t arm = 0; arm < 2; ++arm) {
     margin = std::min(margin, std::abs(cross({std::cos(angles[arm]), std::sin(angles[arm])}, pose.directions[arm])));
@@ -135,7 +135,7 @@ TEST(HaplyKinematics, AgreesWithTheSimulatedArms) {
     if (!pose || !place) continue;
     ++compared;
     ASSERT_LT(glm::length(pose->handle - place->handle), 1e-9);
-    if (margin_of(*pose, angles) > 1e-3) {
+    if (own_margin_of(*pose, angles) > 1e-3) {
       ASSERT_LT(difference(pose->jacobian, place->jacobian), 1e-6);
     }
   }
@@ -150,7 +150,7 @@ TEST(HaplyKinematics, TheJacobianIsThatOfTheHandlesPlace) {
     const PantographGeometry& geometry = poses.geometry();
     const Angles angles = poses.angles();
     const auto pose = pose_at(geometry, angles);
-    if (!pose || margin_of(*pose, angles) < 0.02 || glm::length(pose->elbows[1] - pose->elbows[0]) < 1e-3) continue;
+    if (!pose || own_margin_of(*pose, angles) < 0.02 || glm::length(pose->elbows[1] - pose->elbows[0]) < 1e-3) continue;
     Matrix<2> differences{0.0};
     bool is_whole = true;
     for (std::size_t arm = 0; arm < 2; ++arm) {
@@ -201,7 +201,7 @@ TEST(HaplyKinematics, TorquesOfAForceMakeThatForce) {
   for (int i = 0; i < 10'000; ++i) {
     const Angles angles = poses.angles();
     const auto pose = pose_at(poses.geometry(), angles);
-    if (!pose || margin_of(*pose, angles) < 0.01) continue;
+    if (!pose || own_margin_of(*pose, angles) < 0.01) continue;
     ++compared;
     const Vector<2> force(3.0 * std::cos(i), 3.0 * std::sin(i));
     const auto back = force_of(*pose, torques_for(*pose, force));
@@ -223,7 +223,7 @@ TEST(HaplyKinematics, OneMotorPushesAlongItsLine) {
     const PantographGeometry& geometry = poses.geometry();
     const Angles angles = poses.angles();
     const auto pose = pose_at(geometry, angles);
-    if (!pose || margin_of(*pose, angles) < 0.05) continue;
+    if (!pose || own_margin_of(*pose, angles) < 0.05) continue;
     ++compared;
     for (std::size_t arm = 0; arm < 2; ++arm) {
       Angles torques{};
@@ -333,6 +333,29 @@ TEST(HaplyKinematics, TheConditionIsThatOfTheEllipse) {
     }
   }
   EXPECT_NEAR(least, 1.01, 0.01);
+}
+
+// Where a simulated hand may lead: on the way from the middle, and never through a pose in which links are in line.
+TEST(HaplyKinematics, TheNearestPlaceWithinReachIsOnTheWayAndWellWithinTheArms) {
+  for (const HaplyVariant& variant : haply_variant_catalog()) {
+    const PantographGeometry& geometry = variant.calibration.geometry;
+    const Vector<2>& center = variant.calibration.center;
+    EXPECT_EQ(nearest_within_reach(geometry, center, center), center) << variant.name;
+    for (double angle = 0.0; angle < 6.28; angle += 0.1) {
+      for (const double distance : {0.005, 0.03, 0.1, 1.0}) {
+        const Vector<2> way(std::cos(angle), std::sin(angle));
+        const Vector<2> found = nearest_within_reach(geometry, center, center + distance * way);
+        const Vector<2> from_center = found - center;
+        EXPECT_NEAR(from_center.x * way.y - from_center.y * way.x, 0.0, 1e-12);
+        EXPECT_LE(glm::length(from_center), distance + 1e-12);
+        const auto angles = angles_at(geometry, found);
+        ASSERT_TRUE(angles) << variant.name << ' ' << angle;
+        const auto pose = pose_at(geometry, *angles);
+        ASSERT_TRUE(pose);
+        EXPECT_GE(margin_of(*pose, *angles), 0.3 - 1e-9) << variant.name << ' ' << angle << ' ' << distance;
+      }
+    }
+  }
 }
 
 }  // namespace
