@@ -32,7 +32,8 @@ class KioskVisitWindow : public DrivenWindow {
     options.kiosk_visit = lessons.empty() ? shipped_lessons() : std::move(lessons);
     options.input = input;
     options.input_options.virtual_falcon_clock = VirtualLink::Clock::stepped;
-    options.inputs = desktop_inputs({.falcon = {.id = {0xFFFF, 0xFFFF}}, .haply = {.path = "/dev/none"}});  // nobody's: no test drives a real one
+    // Nobody's: no test drives a real one.
+    options.inputs = desktop_inputs({.falcon = {.id = {0xFFFF, 0xFFFF}}, .haply = {.path = "/dev/none"}});
     open(options);
   }
 

@@ -98,7 +98,8 @@ class MonkeyTest : public RecordedWindow {
   MonkeyTest() { std::filesystem::current_path(folder_.path()); }
   void begin() {
     ApplicationOptions options;
-    options.inputs = desktop_inputs({.falcon = {.id = {0xFFFF, 0xFFFF}}, .haply = {.path = "/dev/none"}});  // nobody's: no monkey drives a real one
+    // Nobody's: no monkey drives a real one.
+    options.inputs = desktop_inputs({.falcon = {.id = {0xFFFF, 0xFFFF}}, .haply = {.path = "/dev/none"}});
     open_recorded(list_path(), std::move(options), "wall45", width, height);
     look_at_words();
   }
