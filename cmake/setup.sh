@@ -182,7 +182,7 @@ run_ninja() {
 # run_tests PRESET [ARGUMENTS of ctest]: programs as a whole; with -R or -E, which are about names, test by test. The last
 # line counts the tests, of which ctest sees none in a program that it runs as a whole. There are three slots for each
 # core, as tests that compute wait now and then too. Under a sanitizer there are two: with more, devices would not be
-# ready in time.
+# ready in time. Those with the label long are for .ci/long alone, which sets GHOSTFORCE_LONG.
 run_tests() {
   local tree=$root/build/$1 status=0 log=$root/build/$1/Testing/Temporary/LastTest.log slots=3
   [[ $1 != [at]san ]] || slots=2
@@ -194,7 +194,10 @@ run_tests() {
     esac
     [[ ! -e $tree/test_by_test ]] || export GHOSTFORCE_TEST_BY_TEST=yes
     rm -f "$log"
-    ctest --test-dir "$tree" --parallel "$((slots * $(nproc)))" --output-on-failure --no-tests=error "${@:2}"
+    local left_out=()
+    [[ ${GHOSTFORCE_LONG:-} ]] || left_out=(--label-exclude '^long$')
+    ctest --test-dir "$tree" --parallel "$((slots * $(nproc)))" --output-on-failure --no-tests=error "${left_out[@]}" \
+      "${@:2}"
   ) || status=$?
   [[ ! -e $log ]] || awk -f "$root/cmake/count_tests.awk" "$log"
   return $status

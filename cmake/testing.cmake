@@ -9,6 +9,7 @@
 # LABELS    tsan: threads meet in it, and .ci/run tests it under the thread sanitizer too
 #           asan: .ci/run tests it under the address sanitizer; .ci/long tests all programs so
 #           Both are one label of ctest, tsan+asan.
+#           long: for .ci/long alone (cmake/setup.sh)
 # SECONDS   what one process of it takes, where that is more than two: the slowest start first
 # EACH      a process for each test in every case, because the process is what is tested
 # WAITS     for devices and other processes more than it computes: twice as many of these run side by side. So a test
@@ -21,6 +22,7 @@ include(GoogleTest)
 
 add_custom_target(tsan_tests COMMENT "The tests labelled tsan, without building the others")
 add_custom_target(asan_tests COMMENT "The tests labelled asan, without building the others")
+add_custom_target(long_tests COMMENT "The tests labelled long, without building the others")
 
 # What all tests include, compiled once, and what all of them are linked with.
 set(test_options project_options project_warnings batch_warnings GTest::gtest glm::glm fmt::fmt Threads::Threads)
