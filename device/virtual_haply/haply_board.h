@@ -166,7 +166,7 @@ class HaplyBoard {
   std::size_t analogue_inputs() const noexcept { return options_.kind == Kind::m0 ? 5 : most_analogue; }
 
   Options options_;
-  BoundedQueue<Timed, 4096> received_;
+  BoundedQueue<Timed, 1024> received_;
   BoundedQueue<Reply, 8> replies_;
   std::int64_t last_pass_ns_ = -pass_ns;
 
