@@ -218,10 +218,6 @@ std::optional<Vector<2>> grip_of_circle(const StageLayer& layer, const ScreenBox
   return farthest;
 }
 
-}  // namespace
-
-namespace {
-
 // Of a real device, the joints with motors: a press chooses the one that pushes alone.
 std::vector<PlacedPart> placed_parts(const StageContent& content, double farthest) {
   if (!content.linkage) return scene_parts(content.settings, content.moment.handle, farthest);

@@ -22,7 +22,6 @@ constexpr double longest_lost_s = 0.010;
 constexpr double greatest_leap_per_s = 65e3;
 constexpr double least_reach = 40.0;      // [counts]
 constexpr double greatest_reach = 250.0;  // less than what a wrong digit of the third place makes [counts]
-constexpr double rate_window_s = 0.5;
 
 // In the order of LinkFault: a device that is not there is no fault.
 constexpr std::array link_faults{FalconFault::none,   FalconFault::none,        FalconFault::not_allowed,
@@ -248,7 +247,7 @@ void Falcon::begin_exchanging() noexcept {
   lost_position_ns_ = 0;
   sent_ns_ = heard_ns_ = awaited_ns_ = link().now_ns();
   unanswered_ns_.reset();
-  window_ = {.began_ns = sent_ns_};
+  window_.begin(sent_ns_);
   report_.exchange_hz = 0.0;
   report_.has_homed = {};
   report_.has_moved = {};
@@ -320,10 +319,8 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
     note_debts();
   }
   ++report_.exchanges;
-  ++window_.exchanges;
   const double exchange_s = since(*asked_ns);
-  window_.sum_s += exchange_s;
-  window_.worst_s = std::max(window_.worst_s, exchange_s);
+  window_.add(exchange_s);
   measure_rate();
   report_.encoders = frame.encoders;
   report_.buttons = frame.status & 0x0F;
@@ -444,16 +441,15 @@ bool Falcon::send_command() noexcept {
 }
 
 void Falcon::measure_rate() noexcept {
-  const double window_s = since(window_.began_ns);
-  if (window_s < rate_window_s) return;
-  report_.exchange_hz = window_.exchanges / window_s;
-  report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
-  report_.worst_exchange_s = window_.worst_s;
+  const auto measured = window_.next(link().now_ns());
+  if (!measured) return;
+  report_.exchange_hz = measured->exchange_hz;
+  report_.exchange_s = measured->exchange_s;
+  report_.worst_exchange_s = measured->worst_exchange_s;
   report_.line_errors = link().counters().line_errors;
   report_.is_guarded = link().is_guarded();
   // By the time of one answer: a device that is not homed yet is asked less often than it could be.
   wants_latency_ = report_.exchange_s * FalconReport::fast_enough_hz > 1.0;
-  window_ = {.began_ns = link().now_ns()};
 }
 
 }  // namespace ghostforce

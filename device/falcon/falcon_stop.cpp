@@ -104,7 +104,7 @@ bool Falcon::recover() noexcept {
   }
   if (link().now_ns() < stop_ns()) return false;
   ++report_.lost_exchanges;
-  window_.worst_s = std::max(window_.worst_s, since(asked_ns_));
+  window_.add_lost(since(asked_ns_));
   command_.motors = {};
   note_stop();
   link_script_ = LinkScript(stop_and_set_up_link_again);

@@ -22,7 +22,6 @@ constexpr double moved_rad = 3.0 * radians_per_degree;
 constexpr double greatest_leap_rad_per_s = 2000.0 * radians_per_degree;
 constexpr double least_reach_rad = 2.0 * radians_per_degree;
 constexpr double greatest_reach_rad = 15.0 * radians_per_degree;
-constexpr double rate_window_s = 0.5;
 // In a row without an answer. The published firmwares allocate at each and free nothing.
 constexpr int most_set_ups = 2;
 // No answer was ever seen to come later [s].
@@ -226,7 +225,7 @@ void Haply::begin_exchanging() noexcept {
     report_.fault = HaplyFault::none;
   }
   is_unwritten_ = false;
-  window_ = {.began_ns = sent_ns_};
+  window_.begin(sent_ns_);
   enter(Phase::exchanging);
 }
 
@@ -302,12 +301,10 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   // What is still missing a while after the last silence never comes.
   if (replies_.is_clear() && since(zeros_ns_) > quiet_s) in_flight_ = 0;
   ++report_.exchanges;
-  ++window_.exchanges;
   const double exchange_s = since(*asked_ns);
   slow_replies_ = exchange_s > slow_s ? slow_replies_ + 1 : 0;
   report_.is_lagging = slow_replies_ >= most_slow_replies;
-  window_.sum_s += exchange_s;
-  window_.worst_s = std::max(window_.worst_s, exchange_s);
+  window_.add(exchange_s);
   measure_rate();
   std::array<double, 2> angles{};
   for (std::size_t arm = 0; arm < 2; ++arm) {
@@ -476,13 +473,12 @@ bool Haply::send(const hapi::PerPort<double>& torques) noexcept {
 }
 
 void Haply::measure_rate() noexcept {
-  const double window_s = since(window_.began_ns);
-  if (window_s < rate_window_s) return;
-  report_.exchange_hz = window_.exchanges / window_s;
-  report_.exchange_s = window_.exchanges > 0 ? window_.sum_s / window_.exchanges : 0.0;
-  report_.worst_exchange_s = window_.worst_s;
+  const auto measured = window_.next(port_.now_ns());
+  if (!measured) return;
+  report_.exchange_hz = measured->exchange_hz;
+  report_.exchange_s = measured->exchange_s;
+  report_.worst_exchange_s = measured->worst_exchange_s;
   report_.is_guarded = port_.is_guarded();
-  window_ = {.began_ns = port_.now_ns()};
 }
 
 }  // namespace ghostforce

@@ -28,6 +28,7 @@
 #include "device/haply/haply_report.h"
 #include "device/haply/reply_reader.h"
 #include "device/haply/serial_port.h"
+#include "device/motors/exchange_window.h"
 #include "device/motors/link_opener.h"
 #include "device/motors/reply_matcher.h"
 #include "device/motors/stop_debts.h"
@@ -174,15 +175,7 @@ class Haply {
   std::int64_t position_time_ns_ = 0;
   std::int64_t position_heard_ns_ = 0;
   std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
-
-  // Of the half second that is being measured.
-  struct Window {
-    std::int64_t began_ns = 0;
-    int exchanges = 0;
-    double sum_s = 0.0;
-    double worst_s = 0.0;
-  };
-  Window window_;
+  ExchangeWindow window_;
 };
 
 }  // namespace ghostforce

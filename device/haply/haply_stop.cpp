@@ -37,7 +37,7 @@ std::int64_t Haply::stop_ns() const noexcept {
 void Haply::send_zeros() noexcept {
   zeros_ns_ = port_.now_ns();
   ++report_.lost_exchanges;
-  window_.worst_s = std::max(window_.worst_s, since(awaited_ns_));
+  window_.add_lost(since(awaited_ns_));
   command_ = {};
   reader_.reset();
   note_stop();

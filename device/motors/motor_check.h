@@ -72,8 +72,6 @@ class MotorCheck {
   MotorVerdict verdict() const noexcept { return verdict_; }
   // The hand is quiet enough to begin.
   bool is_still() const noexcept { return is_still_; }
-  // The one that is pushed now, or that the verdict is about.
-  std::size_t leg() const noexcept { return leg_; }
   // Of the newest push to and fro [J].
   double energy() const noexcept { return newest_.whole; }
   double margin() const noexcept { return newest_.margin; }

@@ -5,7 +5,7 @@
 // back.
 //
 // What it does is what was seen on real devices; where that leaves something open it is strict, so that a driver that
-// works here keeps to what is known to work. FixedQueue holds the bytes that are on their way.
+// works here keeps to what is known to work.
 #pragma once
 
 #include <array>
@@ -13,39 +13,12 @@
 #include <cstdint>
 #include <span>
 
+#include "core/fixed_queue.h"
 #include "device/falcon/falcon_link.h"
 #include "device/falcon/frame.h"
 #include "device/virtual_falcon/injected_fault.h"
 
 namespace ghostforce {
-
-// First in, first out, in a place of fixed size.
-template <typename T, std::size_t Capacity>
-class FixedQueue {
- public:
-  std::size_t size() const noexcept { return size_; }
-  std::size_t room() const noexcept { return Capacity - size_; }
-  bool empty() const noexcept { return size_ == 0; }
-  void clear() noexcept { size_ = 0; }
-
-  // Only while there is room.
-  void push(const T& value) noexcept { values_[(first_ + size_++) % Capacity] = value; }
-
-  // Only of what is in it.
-  const T& operator[](std::size_t index) const noexcept { return values_[(first_ + index) % Capacity]; }
-  const T& front() const noexcept { return values_[first_]; }
-  T pop() noexcept {
-    const T value = values_[first_];
-    first_ = (first_ + 1) % Capacity;
-    --size_;
-    return value;
-  }
-
- private:
-  std::array<T, Capacity> values_{};
-  std::size_t first_ = 0;
-  std::size_t size_ = 0;
-};
 
 // The rate that a baud request asks for: 3 MHz by an integer and eighths, in FTDI's coding [1/s].
 double baud_of(std::uint16_t value, std::uint16_t index) noexcept;

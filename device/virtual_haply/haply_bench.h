@@ -15,8 +15,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/fixed_queue.h"
 #include "core/latest_value.h"
-#include "device/virtual_haply/bounded_queue.h"
 #include "device/virtual_haply/haply_arms.h"
 #include "device/virtual_haply/haply_board.h"
 #include "device/virtual_haply/haply_fault.h"
@@ -119,7 +119,7 @@ class HaplyBench {
   VirtualHaplyHand hand_;
   std::array<double, 2> edges_{};  // by arm, since the beginning; those that are whole have been counted
 
-  BoundedQueue<OnItsWay, 512> on_their_way_;
+  FixedQueue<OnItsWay, 512> on_their_way_;
   std::uint64_t packets_ = 0;
   std::int64_t last_packet_ns_ = 0;
 };

@@ -20,7 +20,7 @@
 #include <optional>
 #include <span>
 
-#include "device/virtual_haply/bounded_queue.h"
+#include "core/fixed_queue.h"
 
 namespace ghostforce {
 
@@ -166,8 +166,8 @@ class HaplyBoard {
   std::size_t analogue_inputs() const noexcept { return options_.kind == Kind::m0 ? 5 : most_analogue; }
 
   Options options_;
-  BoundedQueue<Timed, 1024> received_;
-  BoundedQueue<Reply, 8> replies_;
+  FixedQueue<Timed, 1024> received_;
+  FixedQueue<Reply, 8> replies_;
   std::int64_t last_pass_ns_ = -pass_ns;
 
   Reading reading_ = Reading::nothing;

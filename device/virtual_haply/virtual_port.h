@@ -16,8 +16,8 @@
 #include <span>
 #include <string_view>
 
+#include "core/fixed_queue.h"
 #include "device/haply/serial_port.h"
-#include "device/virtual_haply/bounded_queue.h"
 #include "device/virtual_haply/haply_bench.h"
 
 namespace ghostforce {
@@ -109,8 +109,8 @@ class VirtualPort final : public SerialPort {
   bool was_open_ = false;
   LinkFault fault_ = LinkFault::absent;
 
-  BoundedQueue<Packet, 8> outgoing_;
-  BoundedQueue<std::uint8_t, 4096> incoming_;
+  FixedQueue<Packet, 8> outgoing_;
+  FixedQueue<std::uint8_t, 4096> incoming_;
   std::uint8_t last_address_ = 0;
 
   bool may_push_ = false;

@@ -1,5 +1,5 @@
-// BoundedQueue: first in, first out, in a place of fixed size: what is on its way over a simulated cable. Allocates and
-// throws nothing; one thread.
+// FixedQueue: first in, first out, in a place of fixed size; what crosses threads has a Ring. Allocates and throws nothing;
+// one thread.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace ghostforce {
 
 template <typename T, std::size_t Capacity>
-class BoundedQueue {
+class FixedQueue {
  public:
   std::size_t size() const noexcept { return size_; }
   std::size_t room() const noexcept { return Capacity - size_; }
