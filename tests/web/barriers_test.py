@@ -31,7 +31,6 @@ class Axe(ControlsTest):
 
     def test_finds_no_barrier(self):
         browser = self.open()
-        self.wait_for_control("actions")
         self.expect_none("the stage")
         browser.script("for (const each of document.querySelectorAll('details')) each.open = true")
         # Shown, so that it measures contrast.
@@ -50,7 +49,6 @@ class Axe(ControlsTest):
 
     def test_finds_no_barrier_in_spanish_nor_in_the_dialog_of_the_link(self):
         browser = self.open(query="?language=es")
-        self.wait_for_control("actions")
         self.expect_none("the stage in Spanish")
         browser.press("U")
         wait_for(lambda: browser.script("return document.getElementById('link').open"), "the link")
@@ -58,7 +56,6 @@ class Axe(ControlsTest):
 
     def test_finds_no_barrier_in_a_lesson(self):
         self.open(query="?lesson=ghost")
-        self.wait_for_control("answer-1")
         self.focus("answer-1")
         self.expect_none("a question")
 

@@ -10,12 +10,18 @@ from model import Rest, ghost_force
 class ControlsTest(PageTest):
     """What the tests below have in common."""
 
+    def open(self, *where, **how):
+        """The controls follow the first picture by some frames."""
+        browser = super().open(*where, **how)
+        self.wait_for_control("actions")
+        return browser
+
     def focus(self, control):
         """As Tab would, which is tested by itself."""
+        self.wait_for_control(control)
         self.browser.script("document.getElementById('control-' + arguments[0]).focus()", control)
 
     def use(self, control, key="Enter"):
-        self.wait_for_control(control)
         self.focus(control)
         self.browser.press(key)
 
@@ -128,7 +134,6 @@ class Controls(ControlsTest):
 
     def test_speak_of_one_thing_by_one_word(self):
         self.open()
-        self.wait_for_control("actions")
         told = [each["name"] for each in self.tree()]
         self.assertIn("the motor's part of the wall's push: 2.12 N", told)
         about = self.browser.script("return document.getElementById('about').textContent")
@@ -141,7 +146,6 @@ class Controls(ControlsTest):
 
     def test_have_a_name_for_each_group(self):
         browser = self.open()
-        self.wait_for_control("actions")
         groups = lambda: [each["name"] for each in self.tree() if each["role"] in ("group", "radiogroup", "region")]
         for opened in (False, True):
             browser.script(
@@ -157,7 +161,6 @@ class Controls(ControlsTest):
 
     def test_say_what_each_mode_is(self):
         self.open()
-        self.wait_for_control("actions")
         told = {each["name"]: each["description"] for each in self.tree() if "pressed" in each}
         self.assertEqual(told["Last minute"], "Look back at what has just happened.")
         self.assertTrue(told["Measure the hand"].startswith("The motor trembles for 2 seconds"), told)
@@ -166,7 +169,6 @@ class Controls(ControlsTest):
 
     def test_list_actions_and_keys_in_groups(self):
         self.open()
-        self.wait_for_control("actions")
         self.browser.script("for (const each of document.querySelectorAll('details')) each.open = true")
         tree = self.tree()
         groups = [each["name"] for each in tree if each["role"] == "group"]
@@ -182,7 +184,6 @@ class Controls(ControlsTest):
 
     def test_say_again_why_they_cannot_be_used(self):
         self.open()
-        self.wait_for_control("actions")
         self.listen()
         told = lambda: len([each for each in self.heard() if self.text("notice") in each])
         for count in (1, 2):
@@ -191,7 +192,6 @@ class Controls(ControlsTest):
 
     def test_say_again_what_a_key_has_done(self):
         browser = self.open()
-        self.wait_for_control("actions")
         self.listen()
         told = lambda: len([each for each in self.heard() if "Copied the live values" in each])
         for count in (1, 2):
@@ -200,7 +200,6 @@ class Controls(ControlsTest):
 
     def test_tell_the_workbench_and_a_dialog_by_their_names(self):
         browser = self.open()
-        self.wait_for_control("actions")
         browser.press("F4")
         self.wait_for_text("sentence", lambda text: text.startswith("The workbench is open"), "the workbench")
         browser.press("D")
