@@ -100,6 +100,7 @@ constexpr double air_round_panel = 3.0;  // in which no words stand
 
 std::string_view words_of_part(const StageContent& content) {
   const StageLanguage::Hovers& all = content.language.hovers;
+  if (content.linkage) return all.other_motor;
   if (content.hovered_part == ScenePart::elbow) return all.elbow;
   const bool is_base = content.hovered_part == ScenePart::left_base || content.hovered_part == ScenePart::right_base;
   return is_base ? all.motor_joint : all.part;

@@ -33,8 +33,14 @@ bool is_covered(const StagePicture& picture, std::span<const StageStroke> stroke
   });
 }
 
+// A handle there is whole, and below nothing.
 bool is_in_sight(const StagePicture& picture, const Vector<2>& place) {
-  return contains(picture.scene, to_screen(picture.pane.camera, place));
+  constexpr double handle_radius = 16.0;  // of the design [points]
+  const double radius = handle_radius * picture.unit;
+  const Vector<2> handle = to_screen(picture.pane.camera, place);
+  const auto lies_over = [&](const std::optional<ScreenBox>& box) { return box && contains(box->grown(radius), handle); };
+  return contains(picture.scene.grown(-radius), handle) && !lies_over(picture.numbers) && !lies_over(picture.inset) &&
+         !lies_over(picture.tools);
 }
 
 Vector<2> active_handle(const Session& session, const StageFrame& frame) {

@@ -114,9 +114,9 @@ void draw_dialog(const PanelContext& context, const std::optional<Vector<2>>& ha
   const float bar = is_on_stage ? std::max(54.0F * context.scale, 0.1F * whole.y) : 54.0F * context.scale;
   float top = margin;
   if (entry->is_at_the_side) {
-    // The steps speak of what happens in the scene: it stays out of its way.
-    top = bar;
+    // The steps speak of what happens in the scene: it stays out of its way, and out of the sentence's two lines.
     if (form.belongs_to != session.dialog) form.is_at_left = hand && hand->x > 0.5 * static_cast<double>(whole.x);
+    top = is_on_stage && form.is_at_left ? std::max(bar, 0.14F * whole.y) : bar;
     const float side = form.is_at_left ? margin : whole.x - margin;
     ImGui::SetNextWindowPos({side, top}, ImGuiCond_Always, {form.is_at_left ? 0.0F : 1.0F, 0.0F});
   } else {

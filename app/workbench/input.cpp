@@ -40,6 +40,11 @@ std::string_view choose(const char* id, std::span<const InputChoice> choices, st
 
 // The step that is to be reached now, with its words; all of them are a key away.
 void draw_step(const PanelContext& context) {
+  // The words come last: they change by themselves, and nothing below them may move away from under a pointer.
+  draw_zero_pose(context);
+  if (context.loop.motors.waits_for_zero_pose) ImGui::SameLine();
+  const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
+  if (ImGui::SmallButton(status.c_str())) context.apply(ToggleDialog{Dialog::doctor});
   const auto step = std::ranges::find_if(context.loop.readiness, &ReadinessStepState::is_current);
   ImGui::PushTextWrapPos(0.0F);
   if (step != context.loop.readiness.end()) {
@@ -49,10 +54,6 @@ void draw_step(const PanelContext& context) {
   }
   if (!context.loop.device_remark.empty()) ImGui::TextUnformatted(context.loop.device_remark.c_str());
   ImGui::PopTextWrapPos();
-  draw_zero_pose(context);
-  if (context.loop.motors.waits_for_zero_pose) ImGui::SameLine();
-  const std::string status = fmt::format("{}  Device status", front_keys().device_status.shown);
-  if (ImGui::SmallButton(status.c_str())) context.apply(ToggleDialog{Dialog::doctor});
 }
 
 // Which of two motors pushes. With both the device is fully actuated.

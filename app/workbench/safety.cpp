@@ -1,6 +1,7 @@
 // The motors: whether they may push, with what, and why not.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -62,7 +63,13 @@ void draw_limits(const PanelContext& context) {
 
 void draw_safety(const PanelContext& context) {
   const MotorReport& motors = context.loop.motors;
-  wrapped_text(words_about(motors));
+  // The words change by themselves, and nothing below them may move away from under a pointer.
+  constexpr float lines_of_words = 3.0F;
+  const float below = ImGui::GetCursorPosY() + lines_of_words * ImGui::GetTextLineHeightWithSpacing();
+  std::string words = words_about(motors);
+  if (motors.held_k_r > 0.0) words += fmt::format(" k_r is limited to {:.0f} N/m.", motors.held_k_r);
+  wrapped_text(words);
+  ImGui::Dummy({0.0F, std::max(0.0F, below - ImGui::GetCursorPosY() - ImGui::GetStyle().ItemSpacing.y)});
   ImGui::PushFont(context.fonts.number, 0.0F);
   // What was sent last need not have arrived.
   const std::string force =
@@ -71,9 +78,6 @@ void draw_safety(const PanelContext& context) {
                            motors.is_saturated ? ", limited" : "", motors.handle_speed));
   ImGui::PopFont();
   tooltip("The force sent to the motors after all limits, the largest force allowed, and the speed of the handle.");
-  if (motors.held_k_r > 0.0) {
-    wrapped_text(fmt::format("k_r is limited to {:.0f} N/m on the motors.", motors.held_k_r));
-  }
   draw_motor_heat(context);
   if (ImGui::TreeNodeEx("Limits", ImGuiTreeNodeFlags_SpanAvailWidth)) {
     draw_limits(context);

@@ -53,7 +53,7 @@ constexpr std::array haply_faults{
                     "Run 'ghostforce doctor --install-udev' once, then plug the board in again."},
     HaplyFaultWords{HaplyFault::busy, ReadinessStep::free, "Another program is using the serial port.",
                     "Close that program. ModemManager lets go of it after half a minute."},
-    HaplyFaultWords{HaplyFault::unsupported, ReadinessStep::free, "What is named as the port is no serial port.",
+    HaplyFaultWords{HaplyFault::unsupported, ReadinessStep::seen, "What is named as the port is no serial port.",
                     "Name the board's port with --haply-port, as /dev/ttyACM0."},
     HaplyFaultWords{HaplyFault::unplugged, ReadinessStep::seen, "The board was unplugged.",
                     "Plug it in again: the program keeps looking for it. The motors stay off until you arm them."},

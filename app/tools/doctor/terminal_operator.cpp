@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <fmt/format.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include "app/base/interruption.h"
@@ -35,6 +36,8 @@ std::optional<std::string> ask_on_terminal(std::string_view words, const std::op
                                         : fmt::format("(Rehearsal: press Enter to answer {}.)", *simulated));
   }
   say("> ");
+  // A key pressed before the question is no answer to it. From a file or a program every line is one.
+  if (!simulated) tcflush(STDIN_FILENO, TCIFLUSH);
   // What somebody has begun to type and never sent is no answer: motors may follow it.
   const InputLine line = read_line(STDIN_FILENO);
   if (!line.is_whole) return std::nullopt;
