@@ -149,8 +149,9 @@ void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
                          "Serial port of the Haply, as /dev/ttyACM0; default: that of the only board that is known"));
   const std::vector<std::string_view> variants = names_of(haply_variant_catalog());
   add_option(command, "--haply-variant NAME", haply_variant,
-             fmt::format("Which Haply it is, where no calibration file says so: {}; default: {}", listed(variants),
-                         usual_haply_variant().name))
+             fmt::format("Which Haply it is, where no calibration file of this very board says so: {}; default: that of "
+                         "any.toml, else {}",
+                         listed(variants), usual_haply_variant().name))
       ->check(one_of(variants));
   const std::vector<std::string_view> of_falcon = names_of(injected_fault_catalog());
   const std::vector<std::string_view> of_haply = names_of(injected_haply_fault_catalog());
@@ -204,7 +205,12 @@ InputOptions DeviceSetUp::input_options(const std::optional<FirmwareImage>& imag
   options.falcon.when_left_pushing = tell_of_left_pushing;
   // They have been looked at when the command line was.
   options.haply.calibrations = load_haply_calibrations();
-  if (!haply_variant.empty()) options.haply.usual = find_haply_variant(haply_variant)->calibration;
+  const auto of_any = std::ranges::find(options.haply.calibrations, DeviceSerial(), &HaplyCalibration::serial);
+  if (!haply_variant.empty()) {
+    options.haply.usual = find_haply_variant(haply_variant)->calibration;
+  } else if (of_any != options.haply.calibrations.end()) {
+    options.haply.usual = *of_any;
+  }
   options.haply.debts = std::make_shared<StopDebts>();
   options.haply.when_left_pushing = tell_of_haply_left_pushing;
   for (const std::string& name : misbehave) {

@@ -136,8 +136,9 @@ int examine_haply(const DoctorOptions& options) {
       live.show(report);
     });
   }
-  diagnosis.has_calibration = std::ranges::find(input_options.haply.calibrations, diagnosis.report.serial,
-                                                &HaplyCalibration::serial) != input_options.haply.calibrations.end();
+  const HaplyOptions& haply = input_options.haply;
+  const HaplyCalibration used = calibration_of(diagnosis.report.serial, haply.calibrations, haply.usual);
+  if (std::ranges::find(haply.calibrations, used) != haply.calibrations.end()) diagnosis.calibrated_board = used.serial;
   diagnosis.verdict = exit_code_of(readiness_of(diagnosis.report, nullptr), false);
   print(options.json ? json_of(diagnosis) : text_of(diagnosis));
   return static_cast<int>(diagnosis.verdict);

@@ -35,17 +35,17 @@ class Writer {
   std::size_t next_ = 0;
 };
 
-// The nearest number of which no byte is a command of hAPI: what is left of a packet that was torn on its way is read as
-// commands, and a set up or an exchange among them would swallow the zeros that follow. It is off by 1.2 % at most, and that
-// only right above every other power of two: 0.4 mN·m. Zero stays what it is.
+// The nearest number in which no byte reads as a set up, and neither of the last two as any command: what is left of a
+// packet that was torn on its way is read as commands, and a set up would swallow the zeros that follow. It is off by less
+// than 0.02 mN·m, and in 0.2 % of the range, just above 0.0315 N·m, by 0.13. Zero stays what it is.
 float without_commands(float number) noexcept {
   auto bits = std::bit_cast<std::uint32_t>(number);
   if (number == 0.0F) return number;
   constexpr std::uint32_t last_command = 2;
-  if ((bits >> 16U & 0xFFU) <= last_command) {
+  if ((bits >> 16U & 0xFFU) == set_up_command) {
     const std::uint32_t high = bits & 0xFF000000U;
-    const float above = std::bit_cast<float>(high | 0x00030303U);
-    const float below = std::bit_cast<float>(high - 1U);
+    const float above = std::bit_cast<float>(high | 0x00020303U);
+    const float below = std::bit_cast<float>(high | 0x0000FFFFU);
     return std::abs(above - number) < std::abs(below - number) ? above : below;
   }
   if ((bits >> 8U & 0xFFU) <= last_command) bits = (bits & 0xFFFF00FFU) | 0x00000300U;

@@ -425,7 +425,8 @@ void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
       const HaplyArm& known = calibration_.arms[arm];
       torques[arm] *= (known.is_motor_reversed ? -1.0 : 1.0) / known.torque_scale;
       if (!(std::abs(torques[arm]) > no_torque)) torques[arm] = 0.0;
-      excess = std::max(excess, std::abs(torques[arm]) / hapi::greatest_torque);
+      const double of_force = greatest_motor_force * lever_of_motor(*pose_, arm) / known.torque_scale;
+      excess = std::max(excess, std::abs(torques[arm]) / std::min(hapi::greatest_torque, of_force));
     }
     // Both by the same share: one alone would turn the force.
     report_.is_saturated = excess > 1.0;

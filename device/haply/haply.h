@@ -65,6 +65,8 @@ class Haply {
   // Sines between links from which a force is given less of, and below which nothing [1].
   static constexpr double full_margin = 0.30;
   static constexpr double least_margin = 0.15;
+  // Of one motor alone: near the base its torque would give many times that. A pulled cable leaves no more standing [N].
+  static constexpr double greatest_motor_force = 2.5;
 
   Haply(std::unique_ptr<SerialPort> port, HaplyOptions options);
   ~Haply();

@@ -94,6 +94,7 @@ const HaplyVariant* find_haply_variant(std::string_view name) noexcept {
 
 HaplyCalibration calibration_of(const DeviceSerial& serial, std::span<const HaplyCalibration> calibrations,
                                 const HaplyCalibration& usual) noexcept {
+  if (serial == DeviceSerial()) return usual;
   const auto known = std::ranges::find(calibrations, serial, &HaplyCalibration::serial);
   return known == calibrations.end() ? usual : *known;
 }

@@ -53,7 +53,7 @@ const HaplyVariant& usual_haply_variant() noexcept;
 // Null when none has that name.
 const HaplyVariant* find_haply_variant(std::string_view name) noexcept;
 
-// The one of this board; where there is none, `usual`.
+// The one of this board; where there is none, `usual`, which is then that of any board.
 HaplyCalibration calibration_of(const DeviceSerial& serial, std::span<const HaplyCalibration> calibrations,
                                 const HaplyCalibration& usual) noexcept;
 

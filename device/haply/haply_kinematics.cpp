@@ -123,6 +123,10 @@ Vector<2> line_of_motor(const PantographPose& pose, std::size_t arm) noexcept {
   return pose.directions[arm];
 }
 
+double lever_of_motor(const PantographPose& pose, std::size_t arm) noexcept {
+  return std::abs(glm::dot(line_of_motor(pose, arm), pose.jacobian[static_cast<glm::length_t>(arm)]));
+}
+
 double condition_of(const PantographPose& pose) noexcept {
   const double squares = glm::dot(pose.jacobian[0], pose.jacobian[0]) + glm::dot(pose.jacobian[1], pose.jacobian[1]);
   const double area = std::abs(determinant(pose.jacobian));

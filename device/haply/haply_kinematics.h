@@ -51,6 +51,9 @@ std::optional<Vector<2>> force_of(const PantographPose& pose, const std::array<d
 // torque, carries no force. Unit length.
 Vector<2> line_of_motor(const PantographPose& pose, std::size_t arm) noexcept;
 
+// Torque of that motor alone over the force that it gives along that line [m].
+double lever_of_motor(const PantographPose& pose, std::size_t arm) noexcept;
+
 // Greatest over smallest singular value of J; infinite where it is singular.
 double condition_of(const PantographPose& pose) noexcept;
 

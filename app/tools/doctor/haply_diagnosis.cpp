@@ -32,8 +32,9 @@ std::string text_of(const HaplyDiagnosis& diagnosis) {
   if (diagnosis.ports.empty()) text += "port: this system has no serial port over USB\n";
   for (const SerialPortFound& port : diagnosis.ports) text += haply_port_words(port) + "\n";
   text += fmt::format("variant: {}\n", diagnosis.report.variant);
-  text += diagnosis.has_calibration ? "calibration: found for this board\n"
-                                    : "calibration: none for this board; the values of the variant are used\n";
+  text += !diagnosis.calibrated_board ? "calibration: none for this board; the values of the variant are used\n"
+          : *diagnosis.calibrated_board == DeviceSerial() ? "calibration: found for any board\n"
+                                                          : "calibration: found for this board\n";
   text += diagnosis.udev_rule.empty()
               ? "udev rule: not installed; 'ghostforce doctor --install-udev' installs it\n"
               : fmt::format("udev rule: {}\n", quoted_text(diagnosis.udev_rule.string(), longest_path));
@@ -75,7 +76,7 @@ std::string json_of(const HaplyDiagnosis& diagnosis) {
       {"exchanges", report.exchanges},
       {"lost_exchanges", report.lost_exchanges},
       {"discarded_bytes", report.discarded_bytes},
-      {"has_calibration", diagnosis.has_calibration},
+      {"has_calibration", diagnosis.calibrated_board.has_value()},
       {"ports", ports},
       {"udev_rule",
        diagnosis.udev_rule.empty() ? Json() : Json(quoted_text(diagnosis.udev_rule.string(), longest_path))},

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "device/haply/haply_input.h"
 #include "device/haply/haply_report.h"
 #include "device/haply_serial/port_search.h"
+#include "device/motors/device_serial.h"
 #include "device/servo/realtime_status.h"
 
 namespace ghostforce {
@@ -23,7 +25,8 @@ HaplyReport examine(HaplyInput& haply, const std::function<void(const HaplyRepor
 struct HaplyDiagnosis {
   HaplyReport report;
   ExitCode verdict = ExitCode::done;
-  bool has_calibration = false;        // one is kept for this very board
+  // What the calibration that is kept and used is about, an empty one: any board. Empty: none is kept.
+  std::optional<DeviceSerial> calibrated_board{};
   std::vector<SerialPortFound> ports;  // over USB
   std::filesystem::path udev_rule;     // empty: not installed
   RealtimeStatus realtime;

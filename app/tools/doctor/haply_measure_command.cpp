@@ -60,10 +60,10 @@ int measure_haply_with_doctor(HaplyMeasureCall call) {
   person.tell(measuring_keys);
   await_haply(haply);
 
-  const bool is_kept = std::ranges::find(options.calibrations, haply.report().serial, &HaplyCalibration::serial) !=
-                       options.calibrations.end();
   const HaplyMeasurement measurement = measure_haply(haply, person, haply.calibration(), options.debts.get());
   haply.shut_down();
+  const bool is_kept = std::ranges::find(options.calibrations, measurement.calibration.serial,
+                                         &HaplyCalibration::serial) != options.calibrations.end();
 
   output.write({.device = "Haply",
                 .is_virtual = is_virtual,

@@ -7,6 +7,7 @@
 
 #include "app/base/failure.h"
 #include "app/base/interruption.h"
+#include "app/files/calibration_folder.h"
 #include "app/files/haply_calibration_file.h"
 #include "app/tools/doctor/haply_steps.h"
 #include "app/tools/doctor/readiness.h"
@@ -64,7 +65,9 @@ void await_haply(Haply& haply) {
 
 HaplyMeasurement measure_haply(Haply& haply, HaplyOperator& person, const HaplyCalibration& before, StopDebts* debts) {
   HaplyCalibration begin = before;
-  begin.serial = haply.report().serial;
+  // A board without a serial number is known by its port, which the next one may have: what is measured is then kept
+  // for any board.
+  begin.serial = is_serial(haply.report().serial.text()) ? haply.report().serial : DeviceSerial();
   HaplyMeasurement measurement;
   HaplyRig rig(person, haply, begin, debts);
   measurement.is_complete = take_steps(std::span<const HaplyStep>(haply_measure_steps), rig, measurement.steps);

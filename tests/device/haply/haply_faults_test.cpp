@@ -101,7 +101,7 @@ void print_row(const Fault& fault, const PushWatch& watch, HeldHaply& haply) {
               haply.haply().may_still_push ? "may still push" : "");
 }
 
-// Torques of which no byte is a command of the board are dropped after a torn packet, and nothing has happened.
+// Torques that hold no command of the board are dropped after a torn packet, and nothing has happened.
 bool was_got_over(const Fault& fault, HeldHaply& haply) {
   return fault.name == "torn-packet" && haply.motors().state == SafetyState::on && haply.truth().is_configured;
 }

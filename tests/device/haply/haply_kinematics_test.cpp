@@ -236,6 +236,7 @@ TEST(HaplyKinematics, OneMotorPushesAlongItsLine) {
       // The closed form: f = a τ / (l sin(φ − θ)).
       const double sine = cross({std::cos(angles[arm]), std::sin(angles[arm])}, line);
       ASSERT_NEAR(glm::dot(*force, line), 0.05 / (geometry.driven_length * sine), 1e-9 * glm::length(*force));
+      ASSERT_NEAR(lever_of_motor(*pose, arm), 0.05 / glm::length(*force), 1e-9 * geometry.driven_length);
       // And the other way round: a force along the line needs nothing of the other motor.
       ASSERT_NEAR(torques_for(*pose, line)[1 - arm], 0.0, 1e-12);
     }

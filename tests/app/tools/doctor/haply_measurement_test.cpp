@@ -12,6 +12,7 @@
 #include "app/files/haply_calibration_file.h"
 #include "device/motors/emergency_stop.h"
 #include "tests/app/tools/doctor/haply_rehearsal.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce::haply_measurement_test {
 namespace {
@@ -215,6 +216,16 @@ TEST(HaplyMeasurement, FindsWhereAWallBeginsToSwing) {
 }
 
 // --- The person ---
+
+// Its port may be another board's tomorrow.
+TEST(HaplyMeasurement, OfABoardWithoutASerialNumberIsKeptForAnyBoard) {
+  const TemporaryFolder folder;
+  setenv("XDG_CONFIG_HOME", folder.path().c_str(), 1);
+  HaplyRehearsal rehearsal;
+  rehearsal.port->path = "/dev/ttyACM0";
+  const HaplyMeasurement measurement = rehearsal.measure({std::string(motors)});
+  EXPECT_EQ(save_haply_calibration(measurement.calibration), folder / "ghostforce/haply/any.toml");
+}
 
 TEST(HaplyMeasurement, LeavesAReversedMotorAloneWhereThePersonWantsThat) {
   HaplyRehearsal rehearsal(wrong_device());

@@ -32,7 +32,7 @@ class WatchedHaplyPort final : public SerialPort {
   LinkFault open() noexcept override { return port.open(); }
   void close() noexcept override { port.close(); }
   LinkFault fault() const noexcept override { return port.fault(); }
-  std::string_view serial() const noexcept override { return port.serial(); }
+  std::string_view serial() const noexcept override { return path.empty() ? port.serial() : path; }
   void set_may_push(bool may_push) noexcept override { port.set_may_push(may_push); }
   bool write(std::span<const std::uint8_t> packet) noexcept override { return port.write(packet); }
   std::size_t read(std::span<std::uint8_t> into) noexcept override { return port.read(into); }
@@ -54,6 +54,7 @@ class WatchedHaplyPort final : public SerialPort {
   }
 
   VirtualPort port;
+  std::string path;                  // of a board without a serial number, which is known by it
   double greatest_force = 0.0;       // [N]
   double fastest_with_motors = 0.0;  // [m/s]
   int drives = 0;                    // times the motors went on
