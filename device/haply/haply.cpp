@@ -244,7 +244,22 @@ void Haply::exchange() noexcept {
   if (since(awaited_ns_) >= give_up_s && replies_.is_waiting()) return end(HaplyFault::no_replies);
   if (is_unwritten_ && since(unwritten_ns_) >= give_up_s) return end(HaplyFault::broken);
   const std::int64_t now_ns = port_.now_ns();
-  if (now_ns >= stop_ns()) return send_zeros();
+  const bool is_stop_due = now_ns >= stop_ns();
+  const bool may_ask_again = replies_.may_ask_again(now_ns);
+  // A board that answers with something else than replies does not take zeros for zeros. A set up stops it all the same.
+  const bool is_out_of_step = is_stop_due && may_push_ && reader_.holds_bytes();
+  // What there is of a reply belongs to the question that is given up.
+  const bool has_forgotten =
+      may_ask_again && reader_.holds_address_alone() && ++short_replies_ >= short_replies_to_believe;
+  if (is_out_of_step || has_forgotten) {
+    ++report_.faults;
+    report_.fault = HaplyFault::restarted;
+    report_.state = HaplyState::zero_pose;
+    forget_home();
+    note_stop();
+    return send_set_up();
+  }
+  if (is_stop_due) return send_zeros();
   if (wants_zero_pose_ && !may_push_ && !replies_.is_waiting()) {
     wants_zero_pose_ = false;
     if (still_ns_ == 0 || since(still_ns_) < still_s) {
@@ -254,16 +269,7 @@ void Haply::exchange() noexcept {
       return send_set_up();
     }
   }
-  if (replies_.may_ask_again(now_ns)) {
-    // What there is of a reply belongs to the question that is given up.
-    if (reader_.holds_address_alone() && ++short_replies_ >= short_replies_to_believe) {
-      ++report_.faults;
-      report_.fault = HaplyFault::restarted;
-      report_.state = HaplyState::zero_pose;
-      forget_home();
-      note_stop();
-      return send_set_up();
-    }
+  if (may_ask_again) {
     if (short_replies_ > 0) command_ = {};
     reader_.reset();
     if (send_command()) ++report_.lost_exchanges;

@@ -44,6 +44,9 @@ class ReplyReader {
     return held_ > 0 && std::ranges::all_of(held, [](std::uint8_t byte) { return byte == hapi::address; });
   }
 
+  // Something has come since the last reply, and is no whole one.
+  bool holds_bytes() const noexcept { return held_ > 0; }
+
   // The rest of a reply will not come.
   void reset() noexcept { pass_over(held_); }
 
