@@ -342,7 +342,7 @@ void TtyPort::write_at_once(std::span<const std::uint8_t> packet) noexcept {
   const std::int64_t deadline_ns = monotonic_ns() + at_once_patience_ns;
   for (;;) {
     const int file = descriptor_;
-    if (file < 0 || ::write(file, packet.data(), packet.size()) >= 0) break;
+    if (file < 0 || !is_still_port(file) || ::write(file, packet.data(), packet.size()) >= 0) break;
     if (!is_momentary(errno) || monotonic_ns() >= deadline_ns) break;
     poll(nullptr, 0, 1);
   }
@@ -352,6 +352,10 @@ void TtyPort::write_at_once(std::span<const std::uint8_t> packet) noexcept {
 
 std::size_t TtyPort::read(std::span<std::uint8_t> into) noexcept {
   if (has_gone() || into.empty()) return 0;
+  if (!is_still_port(descriptor_)) {
+    set_fault(LinkFault::broken);
+    return 0;
+  }
   const ssize_t count = ::read(descriptor_, into.data(), into.size());
   if (count > 0) return static_cast<std::size_t>(count);
   failed(count < 0 ? errno : EIO);  // nothing at all comes of a terminal that has been hung up

@@ -1,6 +1,8 @@
 // What is told of a port that cannot be had, is lost, or takes half a packet.
+#include <fcntl.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -8,6 +10,8 @@
 #include <cerrno>
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <system_error>
 
 #include <gtest/gtest.h>
 
@@ -202,6 +206,37 @@ TEST(TtyPortFaults, AFullPortIsStillClosed) {
     port.stop_at_once();
   });
   EXPECT_GT(torn.whole_packets, 0U);
+}
+
+// As where a library closes the same number twice, and somebody's file gets it.
+TEST(TtyPortFaults, WhatHasGotItsNumberIsLeftAlone) {
+  const PseudoTerminal terminal;
+  TtyPort port({.path = terminal.path(), .is_guarded = false});
+  ASSERT_EQ(port.open(), LinkFault::none);
+  port.set_may_push(true);
+  std::array<int, 2> ends{};
+  ASSERT_EQ(socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends.data()), 0);
+  int number = -1;
+  for (const auto& file : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    const bool is_port = std::filesystem::read_symlink(file.path(), gone) == terminal.path();
+    if (is_port) number = std::stoi(file.path().filename());
+  }
+  ASSERT_GE(number, 0);
+  ASSERT_EQ(dup3(ends[0], number, O_CLOEXEC), number);
+  ASSERT_EQ(::write(ends[1], "theirs", 6), 6);
+
+  port.stop_at_once();
+  Bytes into(64);
+  EXPECT_EQ(port.read(into), 0U);
+  EXPECT_EQ(port.fault(), LinkFault::broken);
+  EXPECT_FALSE(port.write(bytes_of(hapi::zero_exchange())));
+  port.close();
+
+  std::array<char, 16> read{};
+  EXPECT_EQ(::read(ends[0], read.data(), read.size()), 6) << "what is theirs is still there";
+  EXPECT_EQ(::read(ends[1], read.data(), read.size()), -1) << "and nothing else has come";
+  for (const int each : {ends[0], ends[1], number}) EXPECT_EQ(::close(each), 0);
 }
 
 TEST(TtyPortFaults, ZerosGoOutAfterATornPacket) {
