@@ -3,13 +3,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <ranges>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "app/base/failure.h"
 #include "app/base/quoted.h"
@@ -135,6 +140,18 @@ void tell_of_haply_left_pushing(const DeviceSerial& serial) noexcept {
       serial.text());
 }
 
+struct MisbehavingDevice {
+  std::string_view input;
+  std::string_view title;
+  std::vector<std::string_view> faults;
+};
+
+std::array<MisbehavingDevice, 2> misbehaving_devices() {
+  return {MisbehavingDevice{virtual_falcon_kind.name, virtual_falcon_kind.title, names_of(injected_fault_catalog())},
+          MisbehavingDevice{virtual_haply_kind.name, virtual_haply_kind.title,
+                            names_of(injected_haply_fault_catalog())}};
+}
+
 }  // namespace
 
 void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
@@ -153,34 +170,36 @@ void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
                          "any.toml, else {}",
                          listed(variants), usual_haply_variant().name))
       ->check(one_of(variants));
-  const std::vector<std::string_view> of_falcon = names_of(injected_fault_catalog());
-  const std::vector<std::string_view> of_haply = names_of(injected_haply_fault_catalog());
-  std::vector<std::string_view> all = of_falcon;
-  for (const std::string_view name : of_haply) {
-    if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+  std::string about_faults = "Faults to inject.";
+  std::vector<std::string_view> all;
+  for (const MisbehavingDevice& device : misbehaving_devices()) {
+    about_faults += fmt::format(" With --input {}: {}.", device.input, listed(device.faults));
+    for (const std::string_view name : device.faults) {
+      if (std::ranges::find(all, name) == all.end()) all.push_back(name);
+    }
   }
-  repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave,
-                        fmt::format("Faults to inject. With --input virtual-falcon: {}. With --input virtual-haply: {}",
-                                    listed(of_falcon), listed(of_haply)))
+  about_faults.pop_back();
+  repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave, about_faults)
                  ->delimiter(','))
       ->check(one_of(all));
 }
 
 void DeviceSetUp::refuse_misbehaviour_of_others(std::string_view input) const {
-  const bool is_haply = input == virtual_haply_kind.name;
+  const std::array devices = misbehaving_devices();
+  const auto device = std::ranges::find(devices, input, &MisbehavingDevice::input);
   for (const std::string& name : misbehave) {
-    if (!is_haply && input != virtual_falcon_kind.name) {
-      throw Failure(
-          ExitCode::wrong_call,
-          fmt::format("--misbehave is about virtual devices, but --input is {}; add --input {} or --input {}, or leave "
-                      "it out",
-                      quoted_text(input, longest_path), virtual_falcon_kind.name, virtual_haply_kind.name));
+    if (device == devices.end()) {
+      throw Failure(ExitCode::wrong_call,
+                    fmt::format("--misbehave is about virtual devices, but --input is {}; add --input {}, or leave it "
+                                "out",
+                                quoted_text(input, longest_path),
+                                fmt::join(devices | std::views::transform(&MisbehavingDevice::input),
+                                          " or --input ")));
     }
-    const bool knows = is_haply ? find_injected_haply_fault(name) != nullptr : find_injected_fault(name) != nullptr;
-    if (!knows) {
+    if (std::ranges::find(device->faults, name) == device->faults.end()) {
       throw Failure(ExitCode::wrong_call,
                     fmt::format("--misbehave {}: the {} has no such fault; --help lists those of each device", name,
-                                is_haply ? virtual_haply_kind.title : virtual_falcon_kind.title));
+                                device->title));
     }
   }
 }

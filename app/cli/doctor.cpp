@@ -55,15 +55,6 @@ struct DoctorOptions {
   std::optional<std::string> calibration;
 };
 
-// What can be examined.
-std::vector<std::string_view> examined_names() {
-  return {"falcon", virtual_falcon_kind.name, "haply", virtual_haply_kind.name};
-}
-
-bool is_haply(const DoctorOptions& options) {
-  return options.input == "haply" || options.input == virtual_haply_kind.name;
-}
-
 std::array<InputMaker<FalconInput>, 2> falcon_kinds(const FtdiLinkOptions& cable) {
   return {falcon_kind(cable), InputMaker<FalconInput>{virtual_falcon_kind, virtual_falcon_kind.make}};
 }
@@ -163,27 +154,25 @@ void refuse_results_without_measuring(const DoctorOptions& options) {
     throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
 }
 
-int doctor(const DoctorOptions& options) {
-  if (options.install_udev) {
-    install_udev_rule(options.is_udev_announced);
-    return static_cast<int>(ExitCode::done);
-  }
-  options.devices.refuse_misbehaviour_of_others(options.input);
-  refuse_results_without_measuring(options);
-  if (is_haply(options)) return options.measure ? measure_haply(options) : examine_haply(options);
+const InputMaker<FalconInput>& falcon_kind_of(const DoctorOptions& options,
+                                              const std::array<InputMaker<FalconInput>, 2>& kinds) {
+  return *std::ranges::find(kinds, options.input, &InputKind::name);
+}
+
+int measure_falcon(const DoctorOptions& options) {
   const auto kinds = falcon_kinds(options.devices.cables().falcon);
-  const InputMaker<FalconInput>& kind = *std::ranges::find(kinds, options.input, &InputKind::name);
-  if (options.measure) {
-    const std::optional<FirmwareImage> firmware = options.devices.read_firmware_file();
-    const InputOptions input = options.devices.input_options(firmware);
-    return measure_with_doctor({.firmware = firmware,
-                                .falcon = input.falcon,
-                                .injected_fault = input.injected_fault,
-                                .cable = options.devices.cables().falcon,
-                                .is_virtual = kind.hand_is_simulated,
-                                .report = options.report,
-                                .calibration = options.calibration});
-  }
+  const std::optional<FirmwareImage> firmware = options.devices.read_firmware_file();
+  const InputOptions input = options.devices.input_options(firmware);
+  return measure_with_doctor({.firmware = firmware,
+                              .falcon = input.falcon,
+                              .injected_fault = input.injected_fault,
+                              .cable = options.devices.cables().falcon,
+                              .is_virtual = falcon_kind_of(options, kinds).hand_is_simulated,
+                              .report = options.report,
+                              .calibration = options.calibration});
+}
+
+int examine_falcon(const DoctorOptions& options) {
   Diagnosis diagnosis;
   diagnosis.renderers = renderer_states();  // while there is one thread
   HidSpaceMouseInput spacemouse;            // looks for one meanwhile
@@ -191,12 +180,14 @@ int doctor(const DoctorOptions& options) {
   diagnosis.firmware = options.devices.read_firmware_file();
   const InputOptions input_options = options.devices.input_options(diagnosis.firmware);
   diagnosis.usb = list_falcons(options.devices.cables().falcon.id);
+  diagnosis.serial_ports = list_serial_ports();
   diagnosis.udev_rule = installed_udev_rule(udev_folders());
   // This thread drives the device as the servo's would.
   diagnosis.realtime = request_realtime();
   const double wait_s = options.wait_s.value_or(is_somebody_there() ? wait_on_terminal_s : 0.0);
   {
-    const std::unique_ptr<FalconInput> input = kind.make(Scene{}, input_options);
+    const auto kinds = falcon_kinds(options.devices.cables().falcon);
+    const std::unique_ptr<FalconInput> input = falcon_kind_of(options, kinds).make(Scene{}, input_options);
     LiveLine live(is_somebody_there());
     diagnosis.report = examine(*input, wait_s, [&](const FalconReport& report) {
       stop_if_interrupted();
@@ -210,6 +201,31 @@ int doctor(const DoctorOptions& options) {
   diagnosis.verdict = exit_code_of(diagnosis.report, wait_s > 0.0);
   print(options.json ? json_of(diagnosis) : text_of(diagnosis));
   return static_cast<int>(diagnosis.verdict);
+}
+
+struct ExaminedDevice {
+  std::string_view name;
+  int (*examine)(const DoctorOptions&);
+  int (*measure)(const DoctorOptions&);
+};
+
+std::array<ExaminedDevice, 4> examined_devices() {
+  return {ExaminedDevice{"falcon", examine_falcon, measure_falcon},
+          ExaminedDevice{virtual_falcon_kind.name, examine_falcon, measure_falcon},
+          ExaminedDevice{"haply", examine_haply, measure_haply},
+          ExaminedDevice{virtual_haply_kind.name, examine_haply, measure_haply}};
+}
+
+int doctor(const DoctorOptions& options) {
+  if (options.install_udev) {
+    install_udev_rule(options.is_udev_announced);
+    return static_cast<int>(ExitCode::done);
+  }
+  options.devices.refuse_misbehaviour_of_others(options.input);
+  refuse_results_without_measuring(options);
+  const auto devices = examined_devices();
+  const ExaminedDevice& device = *std::ranges::find(devices, options.input, &ExaminedDevice::name);
+  return options.measure ? device.measure(options) : device.examine(options);
 }
 
 }  // namespace
@@ -226,13 +242,15 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
           command, "--wait S", options->wait_s,
           "How long to wait for a person to home the device and move its handle; default: 30 on a terminal, else 0")
           ->check(number_between(0.0, 3600.0, "s"));
+  const auto devices = examined_devices();
+  const std::vector<std::string_view> names = names_of(devices);
   CLI::Option* const device =
       add_option(command, "DEVICE", options->input,
                  "falcon or haply, or virtual-falcon or virtual-haply to try this out; default: falcon")
-          ->check(one_of(examined_names()))
+          ->check(one_of(names))
           ->excludes(install);
   add_option(command, "--input NAME", options->input, "The same as DEVICE")
-      ->check(one_of(examined_names()))
+      ->check(one_of(names))
       ->excludes(install)
       ->excludes(device);
   CLI::Option* const measure = command.add_flag(

@@ -43,6 +43,7 @@ constexpr std::array action_rows = table_of(
     action_kind<TurnWallToLargestDrift>("turn-wall-to-largest-drift"),
     action_kind<MovePart>("move-part", line_field<&MovePart::part>("part"), line_field<&MovePart::to>("to")),
     action_kind<SwitchMotor>("switch-motor"),
+    action_kind<UseMotors>("use-motors", line_field<&UseMotors::motors>("motors")),
     action_kind<TurnRatio>("turn-ratio", line_field<&TurnRatio::factor>("factor")),
     // Strategies
     action_kind<ChooseStrategy>("choose-strategy", line_field<&ChooseStrategy::id>("id"),

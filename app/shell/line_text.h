@@ -50,6 +50,9 @@ inline LineChoices<StrategyId> choices_of(std::type_identity<StrategyId>) {
 inline LineChoices<ScenePart> choices_of(std::type_identity<ScenePart>) {
   return choices_from<ScenePart>(scene_part_catalog);
 }
+inline LineChoices<MotorsInUse> choices_of(std::type_identity<MotorsInUse>) {
+  return choices_from<MotorsInUse>(motors_in_use_catalog);
+}
 inline LineChoices<Face> choices_of(std::type_identity<Face>) {
   return choices_from<Face>(face_catalog);
 }

@@ -283,7 +283,8 @@ std::optional<ScreenBox> place_of_device(const StageLayout& layout) {
     place.least.x = std::max(layout.numbers->most.x + apart * layout.unit, place.most.x - extent.x * layout.unit);
   } else {
     const auto tools = layout.tools_box();
-    place.most.y = layout.bottom - apart * layout.unit;
+    const auto motors = layout.motors_box();
+    place.most.y = (motors ? motors->least.y : layout.bottom) - apart * layout.unit;
     place.least.y = std::max((tools ? tools->most.y : layout.numbers->most.y) + apart * layout.unit,
                              place.most.y - extent.y * layout.unit);
   }

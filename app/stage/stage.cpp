@@ -62,7 +62,7 @@ StageLayout layout_of(const StageContent& content, const StageModeLayers* mode) 
                        .corner_action = content.corner ? content.corner->action : StageCommand::next,
                        .has_full = !content.moment.is_measured || content.linkage.has_value(),
                        .has_strings = has_strings(content.settings),
-                       .other_motor = content.other_motor,
+                       .has_motors_to_choose = content.motors_in_use.has_value(),
                        .measuring = content.measuring_button ? &*content.measuring_button : nullptr,
                        .lesson = content.lesson ? &*content.lesson : nullptr,
                        .shows_menu = content.shows_menu,
@@ -192,10 +192,11 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   if (is_map)
     picture.landscape = landscape_layout(stage_landscape(content, camera, {layout.header_box(), layout.bottom}));
   if (!has_buttons) return picture;
-  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.tools}) {
+  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.tools, &layout.motors}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   picture.tools = layout.tools_box();
+  picture.motors = layout.motors_box();
   for (const StageMenuRow& row : layout.menu) {
     picture.buttons.push_back({row.action, row.box, std::string(row.title)});
   }

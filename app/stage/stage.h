@@ -39,6 +39,7 @@ struct StagePicture {
   std::optional<RibbonPlace> ribbon{};
   std::optional<ScreenBox> menu{};   // while it is open
   std::optional<ScreenBox> tools{};  // Fit and Reset
+  std::optional<ScreenBox> motors{};  // which motors of a device push
 };
 
 // The same moment for those who do not look at it: what the stage says, its numbers, and what there is to press. Empty

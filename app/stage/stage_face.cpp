@@ -280,8 +280,11 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   const MotorReport& motors = frame.loop.motors;
   if (!frame.shown.is_past) content.linkage = motors.linkage;
-  if (content.linkage && motors.line_turns && shown.settings.active != StrategyId::full && !session.lesson)
-    content.other_motor = 2 - motors.pushing_motor;
+  if (content.linkage && motors.line_turns && !session.lesson) {
+    content.motors_in_use = shown.settings.active == StrategyId::full ? MotorsInUse::both
+                            : motors.pushing_motor == 0               ? MotorsInUse::first
+                                                                      : MotorsInUse::second;
+  }
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
   if (session.stage.mode == StageMode::round && frame.loop.circle) {
     const CircleReading& reading = *frame.loop.circle;

@@ -61,6 +61,14 @@ void add_corner_button(const StageLayer& layer, const StageButton& button, bool 
               is_on ? theme.background : theme.text, false);
 }
 
+// The mode that is on, and the motors that push.
+bool is_chosen(const StageContent& content, const StageAction& action) {
+  constexpr std::array motors{StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors};
+  const bool pushes = content.motors_in_use &&
+                      action == StageAction(motors[static_cast<std::size_t>(*content.motors_in_use)]);
+  return pushes || action == StageAction(content.mode);
+}
+
 // Without words it is the way out of a lesson.
 void add_header_button(const StageLayer& layer, const StageButton& button) {
   const auto& [content, layout, canvas] = layer;
@@ -68,7 +76,7 @@ void add_header_button(const StageLayer& layer, const StageButton& button) {
   const auto mode = std::ranges::find(stage_mode_catalog(), content.mode, &StageModeEntry::id);
   const bool is_in_menu = mode != stage_mode_catalog().end() && mode->is_in_menu;
   const bool is_menu = button.action == StageAction(StageCommand::menu);
-  const bool is_on = button.action == StageAction(content.mode) || (is_menu && (is_in_menu || content.shows_menu));
+  const bool is_on = is_chosen(content, button.action) || (is_menu && (is_in_menu || content.shows_menu));
   const bool stands_out = is_on || is_hovered(content, button.action);
   canvas.box(Role::button, button.box, canvas.points(10.0), is_on ? theme.panel_field : theme.background,
              stands_out ? theme.accent : theme.panel_border, canvas.width(is_on ? 3.0 : 2.0));
@@ -100,7 +108,7 @@ constexpr double air_round_panel = 3.0;  // in which no words stand
 
 std::string_view words_of_part(const StageContent& content) {
   const StageLanguage::Hovers& all = content.language.hovers;
-  if (content.linkage) return all.other_motor;
+  if (content.linkage) return content.language.device.other_motor;
   if (content.hovered_part == ScenePart::elbow) return all.elbow;
   const bool is_base = content.hovered_part == ScenePart::left_base || content.hovered_part == ScenePart::right_base;
   return is_base ? all.motor_joint : all.part;
@@ -110,7 +118,8 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   // Who has pressed a button has read what it does, and the menu tells of its rows itself.
   // Who holds something knows what it is.
-  const bool is_on = content.hovered == StageAction(content.mode) || !layout.menu.empty() || content.is_dragging;
+  const bool is_on =
+      (content.hovered && is_chosen(content, *content.hovered)) || !layout.menu.empty() || content.is_dragging;
   const StageLanguage::Hovers& all = content.language.hovers;
   const std::string words = is_on             ? ""
                             : content.hovered ? hover_words(*content.hovered, content.language, content.keys)
@@ -123,11 +132,11 @@ std::optional<HoverPanel> hover_panel(const StageLayer& layer) {
   HoverPanel panel{broken_into_lines(words, 0.45 * layout.size.x, style, content.measure), {}};
   const Vector<2> extent = canvas.labels.extent_of(panel.lines, style);
   const double padding = canvas.points(hover_padding);
-  const bool is_of_tool =
-      content.hovered && std::ranges::find(layout.tools, *content.hovered, &StageButton::action) != layout.tools.end();
-  if (is_of_tool) {
-    const ScreenBox tools = *layout.tools_box();
-    const Vector<2> corner(tools.most.x + canvas.points(8.0) + padding, tools.least.y + padding);
+  // What stands at the left has its words beside it.
+  for (const auto* const row : {&layout.tools, &layout.motors}) {
+    if (!content.hovered || std::ranges::find(*row, *content.hovered, &StageButton::action) == row->end()) continue;
+    const ScreenBox buttons = *StageLayout::box_round(*row);
+    const Vector<2> corner(buttons.most.x + canvas.points(8.0) + padding, buttons.least.y + padding);
     panel.box = ScreenBox{corner, corner + extent}.grown(padding);
     return panel;
   }
@@ -371,6 +380,7 @@ void add_buttons(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) add_button(layer, button, add_strategy_button);
   for (const StageButton& button : layout.header) add_button(layer, button, add_header_button);
   for (const StageButton& button : layout.tools) add_button(layer, button, add_header_button);
+  for (const StageButton& button : layout.motors) add_button(layer, button, add_header_button);
   if (content.lesson) add_lesson_frame(layer);
   if (layout.measuring) add_corner_button(layer, *layout.measuring, false);
   if (layout.corner && content.corner->is_alarming) {
@@ -402,6 +412,7 @@ void keep_frame_clear(const StageLayer& layer) {
   for (const StageButton& button : layout.strategies) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.header) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.tools) labels.keep_clear(button.box.grown(rim));
+  for (const StageButton& button : layout.motors) labels.keep_clear(button.box.grown(rim));
   for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
     if (*button) labels.keep_clear((*button)->box.grown(rim));
   }

@@ -156,6 +156,7 @@ class Arrangement {
     const ScreenBox numbers{corner, corner + numbers_size_};
     if (numbers.most.x <= layout_.size.x && numbers.most.y <= layout_.bottom) layout_.numbers = numbers;
     if (words_.has_tools) arrange_tools();
+    if (words_.has_motors_to_choose) arrange_motors();
     return std::move(layout_);
   }
 
@@ -267,20 +268,34 @@ class Arrangement {
       top = layout_.words_end + points(below_numbers);
     }
     const auto add = [&](StageCommand command, std::string_view words) {
-      const double width =
-          std::max(measure_(words, layout_.letters.words).x + points(2.0 * header_padding), layout_.least_target);
-      const ScreenBox box{{left, top}, {left + width, top + target(header_height)}};
-      if (box.most.y <= layout_.bottom) layout_.tools.push_back({command, box, std::string(words)});
-      left = box.most.x + points(header_gap);
+      if (add_small(layout_.tools, command, words, {left, top})) left = layout_.tools.back().box.most.x + points(header_gap);
     };
     add(StageCommand::fit, words_.language.header.fit);
     add(layout_.lesson ? StageCommand::reset : StageCommand::reset_all, words_.language.header.reset);
-    if (words_.other_motor) {
-      add(StageCommand::other_motor, filled(words_.language.header.use_motor, fmt::format("{}", *words_.other_motor)));
-    }
     // Elsewhere it stands at the end of the row below.
     if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
       add(StageCommand::link, words_.language.header.link);
+    }
+  }
+
+  // False where there is no room for it.
+  bool add_small(std::vector<StageButton>& row, StageCommand command, std::string_view words, const Vector<2>& corner) {
+    const double width =
+        std::max(measure_(words, layout_.letters.words).x + points(2.0 * header_padding), layout_.least_target);
+    const ScreenBox box{corner, corner + Vector<2>(width, target(header_height))};
+    if (box.most.y > layout_.bottom) return false;
+    row.push_back({command, box, std::string(words)});
+    return true;
+  }
+
+  // Where the small picture of the device stands too, which ends above them.
+  void arrange_motors() {
+    const StageLanguage::Device& words = words_.language.device;
+    Vector<2> corner(layout_.margin, layout_.bottom - points(0.5 * gap) - target(header_height));
+    for (const auto& [command, title] : {std::pair(StageCommand::first_motor, words.first_motor),
+                                         std::pair(StageCommand::second_motor, words.second_motor),
+                                         std::pair(StageCommand::both_motors, words.both_motors)}) {
+      if (add_small(layout_.motors, command, title, corner)) corner.x = layout_.motors.back().box.most.x + points(header_gap);
     }
   }
 
@@ -459,6 +474,10 @@ Camera stage_camera(const SceneView& shown, const StageLayout& layout) {
   if (const auto tools = layout.tools_box()) {
     beside.least.x = std::max(beside.least.x, tools->most.x + around);
     below.least.y = std::max(below.least.y, tools->most.y + around);
+  }
+  if (const auto motors = layout.motors_box()) {
+    beside.least.x = std::max(beside.least.x, motors->most.x + around);
+    below.most.y = motors->least.y - around;
   }
   Camera camera = camera_on(shown.center, shown.width, {layout.size.x, with_buttons * layout.bottom});
   const double usual = camera.points_per_metre * shown.width / stage_view_width;

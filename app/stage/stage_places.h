@@ -112,6 +112,7 @@ struct StageLayout {
   std::optional<ScreenBox> numbers;  // below the sentence; empty: a bare scene, or a window too small for them
   double number_width = 0.0;         // of the widest number
   std::vector<StageButton> tools;    // below them
+  std::vector<StageButton> motors;   // of a device, which push: above the strategies
 
   // Between them lies the scene.
   double top = 0.0;
@@ -119,12 +120,15 @@ struct StageLayout {
   ScreenBox scene() const noexcept { return {{0.0, top}, {size.x, bottom}}; }
 
   // Round all of these; empty: there are none.
-  std::optional<ScreenBox> tools_box() const noexcept {
+  std::optional<ScreenBox> tools_box() const noexcept { return box_round(tools); }
+  std::optional<ScreenBox> motors_box() const noexcept { return box_round(motors); }
+
+  static std::optional<ScreenBox> box_round(const std::vector<StageButton>& buttons) noexcept {
     std::optional<ScreenBox> all;
-    for (const StageButton& tool : tools) {
-      if (!all) all = tool.box;
-      all->include(tool.box.least);
-      all->include(tool.box.most);
+    for (const StageButton& button : buttons) {
+      if (!all) all = button.box;
+      all->include(button.box.least);
+      all->include(button.box.most);
     }
     return all;
   }
@@ -154,7 +158,7 @@ struct StageFrameWords {
   StageAction corner_action = StageCommand::next;
   bool has_full = true;                             // the strategy with every motor can be chosen
   bool has_strings = false;                         // in place of motors that push
-  std::optional<std::size_t> other_motor{};         // of a device, the one that could push instead, from 1
+  bool has_motors_to_choose = false;                // of a device, one or the other or both
   const StageMeasuringButton* measuring = nullptr;  // null: there is none
   const StageLesson* lesson = nullptr;              // null: there is none
   bool shows_menu = false;

@@ -55,6 +55,10 @@ struct MovePart {
 };
 // To the other joint that may have it.
 struct SwitchMotor {};
+// Of a device whose motors push alone or together. Together they make it fully actuated.
+struct UseMotors {
+  MotorsInUse motors = MotorsInUse::first;
+};
 struct TurnRatio {
   double factor = 1.0;  // 1.05 for 5 % more
 };
@@ -297,7 +301,7 @@ using Effects = std::vector<Effect>;
 
 using AnyAction = std::variant<
     MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnMotorBy,
-    TurnWallToLargestDrift, MovePart, SwitchMotor, TurnRatio, ChooseStrategy, ChooseByNumber, TurnLandscapeDial,
+    TurnWallToLargestDrift, MovePart, SwitchMotor, UseMotors, TurnRatio, ChooseStrategy, ChooseByNumber, TurnLandscapeDial,
     TogglePause, StepBack, StepOn, LookBackTo, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
     PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers, AnswerLesson,
     MoveSliderTo, NudgeSlider, LeaveLesson, NextLanguage, ArmMotors, ConfirmZeroPose, StopMotors, AcknowledgeOff,

@@ -97,6 +97,12 @@ void act(Session& session, const SwitchMotor&) {
   }
 }
 
+void act(Session& session, const UseMotors& action) {
+  if (action.motors == MotorsInUse::both) return choose_strategy(session, StrategyId::full, false);
+  session.device_motor = action.motors == MotorsInUse::first ? 0 : 1;
+  if (session.settings.active == StrategyId::full) choose_strategy(session, StrategyId::naive, false);
+}
+
 void act(Session& session, const TurnRatio& action) {
   turn_ratio(session, action.factor);
 }

@@ -148,6 +148,10 @@ Permission permit_kind(const Session& session, const SwitchMotor&) {
   return permit_control(session, LessonControl::motor);
 }
 
+Permission permit_kind(const Session& session, const UseMotors&) {
+  return session.motor_line_turns ? permit_control(session, LessonControl::motor) : not_with_this_device;
+}
+
 Permission permit_kind(const Session& session, const TurnRatio&) {
   return permit_paper(session);
 }

@@ -245,6 +245,19 @@ struct UndoOffer {
 
 // --- The session ---
 
+// Of a device whose two motors push alone or together.
+enum class MotorsInUse : std::uint8_t { first, second, both };
+
+struct MotorsInUseEntry {
+  MotorsInUse id;
+  std::string_view name;  // in the lines of a session
+};
+inline constexpr std::array motors_in_use_catalog{
+    MotorsInUseEntry{MotorsInUse::first, "first"},
+    MotorsInUseEntry{MotorsInUse::second, "second"},
+    MotorsInUseEntry{MotorsInUse::both, "both"},
+};
+
 struct Session {
   std::shared_ptr<const Scene> scene;                // as loaded; never null
   Settings settings;                                 // as changed since

@@ -43,8 +43,12 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return Restart{};
     case StageCommand::reset_all:
       return Restart{.with_scene_settings = true};
-    case StageCommand::other_motor:
-      return SwitchMotor{};
+    case StageCommand::first_motor:
+      return UseMotors{MotorsInUse::first};
+    case StageCommand::second_motor:
+      return UseMotors{MotorsInUse::second};
+    case StageCommand::both_motors:
+      return UseMotors{MotorsInUse::both};
     case StageCommand::motors:
       return action_of_motor_button(motors);
     case StageCommand::lessons:

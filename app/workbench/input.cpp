@@ -63,14 +63,14 @@ void draw_motor_choice(const PanelContext& context) {
       "it is fully actuated.");
   const Session& session = context.session;
   const bool has_both = session.settings.active == StrategyId::full;
-  for (std::size_t motor = 0; motor < 2; ++motor) {
-    if (ImGui::RadioButton(motor == 0 ? "1" : "2", !has_both && session.device_motor == motor)) {
-      if (session.device_motor != motor) context.apply(SwitchMotor{});
-      if (has_both) context.apply(ChooseStrategy{StrategyId::naive});
-    }
-    ImGui::SameLine();
-  }
-  if (ImGui::RadioButton("both", has_both)) context.apply(ChooseStrategy{StrategyId::full});
+  const auto choose_motors = [&](const char* title, MotorsInUse motors, bool is_chosen) {
+    if (ImGui::RadioButton(title, is_chosen)) context.apply(UseMotors{motors});
+  };
+  choose_motors("1", MotorsInUse::first, !has_both && session.device_motor == 0);
+  ImGui::SameLine();
+  choose_motors("2", MotorsInUse::second, !has_both && session.device_motor == 1);
+  ImGui::SameLine();
+  choose_motors("both", MotorsInUse::both, has_both);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array boards{
-    KnownBoard{0x2341, 0x804D, "M0 board"},  // as an Arduino Zero, by its own USB port
+    KnownBoard{0x2341, 0x804D, m0_board},  // as an Arduino Zero, by its own USB port
     // As an Arduino Due, likewise; the second is of the maker's other name.
     KnownBoard{0x2341, 0x003E, "Due-based board"},
     KnownBoard{0x2A03, 0x003E, "Due-based board"},

@@ -22,6 +22,8 @@ struct KnownBoard {
   std::string_view title;  // for people
 };
 std::span<const KnownBoard> known_board_catalog() noexcept;
+// Its encoders may count half of what the variant says.
+inline constexpr std::string_view m0_board = "M0 board";
 
 // Where the system shows its devices.
 struct SerialPortPlaces {

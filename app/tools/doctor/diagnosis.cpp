@@ -94,6 +94,10 @@ std::string text_of(const Diagnosis& diagnosis) {
   text += firmware_words(diagnosis.firmware) + "\n";
   text += calibration_words(diagnosis) + "\n";
   text += fmt::format("SpaceMouse: {}\n", words_about(diagnosis.spacemouse.trouble).words);
+  for (const SerialPortFound& port : diagnosis.serial_ports) {
+    if (port.board.empty()) continue;
+    text += fmt::format("Haply: {} at {} may be one; 'ghostforce doctor haply' examines it\n", port.board, port.path);
+  }
   text += realtime_words(diagnosis.realtime) + "\n";
   for (const RendererState& renderer : diagnosis.renderers) text += words_about(renderer) + "\n";
   return text;

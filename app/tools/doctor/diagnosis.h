@@ -13,6 +13,7 @@
 #include "device/falcon/falcon_report.h"
 #include "device/falcon_usb/firmware_file.h"
 #include "device/falcon_usb/usb_search.h"
+#include "device/haply_serial/port_search.h"
 #include "device/report/spacemouse.h"
 #include "device/servo/realtime_status.h"
 
@@ -40,6 +41,7 @@ struct Diagnosis {
   std::optional<FirmwareImage> firmware;
   bool has_calibration = false;     // one is kept for this very device
   UsbSearch usb;                    // what is on the bus
+  std::vector<SerialPortFound> serial_ports;  // over USB
   std::filesystem::path udev_rule;  // empty: not installed
   RealtimeStatus realtime;
   SpaceMouseReading spacemouse;

@@ -9,6 +9,8 @@
 namespace ghostforce {
 namespace {
 
+constexpr std::string_view support_words = "written from the published firmware; not tried on a device";
+
 std::string haply_port_words(const SerialPortFound& port) {
   std::string words = fmt::format("port: {}, {:04x}:{:04x}", port.path, port.vendor, port.product);
   if (!port.board.empty()) words += fmt::format(", {}", port.board);
@@ -28,9 +30,13 @@ std::string text_of(const HaplyDiagnosis& diagnosis) {
   }
   text += "\n";
   if (diagnosis.report.is_virtual) text += "device: a virtual Haply, which is simulated\n";
-  text += "support: written from the published firmware; not tried on a device\n";
+  text += fmt::format("support: {}\n", support_words);
   if (diagnosis.ports.empty()) text += "port: this system has no serial port over USB\n";
-  for (const SerialPortFound& port : diagnosis.ports) text += haply_port_words(port) + "\n";
+  for (const SerialPortFound& port : diagnosis.ports) {
+    text += haply_port_words(port) + "\n";
+    if (port.board == m0_board)
+      text += "counts: this board may count half of its variant's; 'ghostforce doctor haply --measure' finds out\n";
+  }
   text += fmt::format("variant: {}\n", diagnosis.report.variant);
   text += !diagnosis.calibrated_board ? "calibration: none for this board; the values of the variant are used\n"
           : *diagnosis.calibrated_board == DeviceSerial() ? "calibration: found for any board\n"
@@ -68,6 +74,7 @@ std::string json_of(const HaplyDiagnosis& diagnosis) {
       {"fault", entry_of(report.fault).name},
       {"serial", report.serial.text()},
       {"is_virtual", report.is_virtual},
+      {"support", support_words},
       {"variant", report.variant},
       {"was_set_up", report.was_set_up},
       {"exchange_hz", report.exchange_hz},

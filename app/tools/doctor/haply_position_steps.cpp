@@ -71,7 +71,7 @@ std::vector<Finding> measure_haply_zero_pose(HaplyRig& rig) {
   const std::string pose = haply_pose_words(rig);
   if (confirm_haply_zero_pose(rig, fmt::format("{} Hold them there. Enter: this is the zero pose.", pose)) >
       most_zero_pose_deg) {
-    finding.sentence = "The board tells other angles than it was given. Check the encoders' plugs, and start again.";
+    finding.sentence = "The board reports other angles than it was given. Check the encoders' plugs, and start again.";
     return {finding};
   }
   Vector<2> least(std::numeric_limits<double>::max());
@@ -155,7 +155,7 @@ std::vector<Finding> measure_haply_encoders(HaplyRig& rig) {
                                                "set up anew. {} Hold them there. Enter: this is the zero pose.",
                                                finding.sentence, haply_pose_words(rig))) > most_zero_pose_deg) {
     finding.state = Finding::State::contradicts;
-    finding.sentence += " But the board, set up with that, tells other angles.";
+    finding.sentence += " But the board, set up with that, reports other angles.";
   }
   return {finding};
 }

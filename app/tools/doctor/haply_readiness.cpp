@@ -67,7 +67,7 @@ constexpr std::array haply_faults{
                     "Check its power supply and cable. Then hold its zero pose again, and confirm it."},
     HaplyFaultWords{HaplyFault::lost_count, ReadinessStep::homed, "An encoder has lost its count.",
                     "Check the encoders' plugs and the power supply. Then hold the zero pose again, and confirm it."},
-    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed, "The encoders tell angles that the arms cannot have.",
+    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed, "The encoders report angles that the arms cannot have.",
                     "Hold the zero pose again, and confirm it. If that does not help, check the variant "
                     "(--haply-variant) and the calibration file."},
     HaplyFaultWords{HaplyFault::overruled, ReadinessStep::free,
@@ -109,7 +109,7 @@ std::string zero_pose_words(const HaplyReport& report) {
     before = fmt::format("{} ", readiness_fault(report.fault).sentence);
   if (report.zero_pose == ZeroPose::moving) before += "The arms were moving. ";
   if (report.zero_pose == ZeroPose::refused)
-    before += "The board tells other angles than it was given: check the encoders' plugs. ";
+    before += "The board reports other angles than it was given: check the encoders' plugs. ";
   return fmt::format("{}The board cannot know where its arms are. {} ({})", before, pose, title);
 }
 

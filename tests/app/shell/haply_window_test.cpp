@@ -140,22 +140,27 @@ TEST_F(HaplyWindow, DrawsItsLinksAndAPressOnAJointChoosesItsMotor) {
   EXPECT_EQ(motors().pushing_motor, 1U);
 }
 
-TEST_F(HaplyWindow, AButtonOfTheStageLetsTheOtherMotorPush) {
+TEST_F(HaplyWindow, ButtonsAboveTheStrategiesChooseTheMotors) {
   frames(2);
-  EXPECT_EQ(button_for(StageCommand::other_motor), nullptr) << "nobody knows where its motors are";
+  EXPECT_EQ(button_for(StageCommand::first_motor), nullptr) << "nobody knows where its motors are";
   confirm();
   lead_hand_to(outside);
   frames(3);
-  ASSERT_NE(button_for(StageCommand::other_motor), nullptr);
-  EXPECT_EQ(button_for(StageCommand::other_motor)->words, "Use motor 2");
-  click_on(StageCommand::other_motor);
+  for (const StageCommand command : {StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors}) {
+    ASSERT_NE(button_for(command), nullptr);
+    EXPECT_LT(button_for(command)->box.most.y, button_for(StrategyId::naive)->box.least.y);
+  }
+  click_on(StageCommand::second_motor);
   frames(3);
   EXPECT_EQ(session().device_motor, 1U);
-  ASSERT_NE(button_for(StageCommand::other_motor), nullptr);
-  EXPECT_EQ(button_for(StageCommand::other_motor)->words, "Use motor 1");
-  act(ChooseStrategy{StrategyId::full});
+  EXPECT_EQ(motors().pushing_motor, 1U);
+  click_on(StageCommand::both_motors);
   frames(3);
-  EXPECT_EQ(button_for(StageCommand::other_motor), nullptr) << "both push";
+  EXPECT_EQ(session().settings.active, StrategyId::full);
+  click_on(StageCommand::first_motor);
+  frames(3);
+  EXPECT_EQ(session().device_motor, 0U);
+  EXPECT_EQ(session().settings.active, StrategyId::naive) << "the strategy that renders as if both were there";
 }
 
 TEST_F(HaplyWindow, SaysWhenTheMotorCanGiveNoMore) {

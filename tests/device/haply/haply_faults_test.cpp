@@ -18,7 +18,7 @@ constexpr double longest_ms = 25.0;
 
 enum class End : std::uint8_t {
   at_once,  // within longest_ms
-  later,    // each has a test of its own
+  later,    // within a time of its own, or in a test of its own
   none,     // the force goes on, and rightly so
   out_of_reach,
 };
@@ -28,6 +28,7 @@ struct Fault {
   End end;
   OffReason reason = OffReason::none;
   bool loses_home = false;  // the zero pose has to be confirmed anew
+  double later_ms = 0.0;    // of what ends later; 0: it has a test of its own
 };
 
 constexpr std::array faults{
@@ -39,9 +40,9 @@ constexpr std::array faults{
     Fault{"unconfigured", End::out_of_reach, OffReason::not_homed, true},
     Fault{"other-id", End::at_once, OffReason::not_homed, true},
     Fault{"torn-packet", End::at_once, OffReason::not_homed, true},
-    Fault{"late-5ms", End::later, OffReason::loop_late},
+    Fault{"late-5ms", End::later, OffReason::loop_late, false, 60.0},
     Fault{"late-50ms", End::at_once, OffReason::loop_late},
-    Fault{"late-creeping", End::later, OffReason::loop_late},
+    Fault{"late-creeping", End::later, OffReason::loop_late, false, 150.0},
     Fault{"lost-reply", End::none},
     Fault{"lost-replies", End::none},
     Fault{"mute", End::at_once, OffReason::loop_late, true},
@@ -54,7 +55,7 @@ constexpr std::array faults{
     Fault{"wrong-zero-pose", End::none},
     Fault{"impossible-angles", End::at_once, OffReason::not_homed, true},
     Fault{"frozen-encoder", End::later},
-    Fault{"frozen-encoders", End::later, OffReason::calibration, true},
+    Fault{"frozen-encoders", End::later, OffReason::calibration, true, 80.0},
     Fault{"encoder-jump", End::at_once, OffReason::not_homed, true},
     Fault{"restarts", End::at_once, OffReason::not_homed, true},
     Fault{"touched-1200-baud", End::none},
@@ -147,6 +148,10 @@ TEST(HaplyFaults, EndTheForceOrAreGotOver) {
         EXPECT_EQ(haply.haply().owed_serial.text(), VirtualPort::serial_number);
         break;
       case End::later:
+        if (fault.later_ms == 0.0) break;
+        EXPECT_LE(watch.ms_pushing(), fault.later_ms);
+        EXPECT_FALSE(haply.pushes());
+        EXPECT_EQ(haply.motors().reason, fault.reason) << haply.reason();
         break;
     }
   }
