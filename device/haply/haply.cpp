@@ -110,6 +110,7 @@ void Haply::update() noexcept {
   if (phase_ == Phase::opening) return opened(port_.fault());
   port_.wait_until(port_.now_ns());  // lets transfers make progress
   if (port_.fault() != LinkFault::none) return end(fault_of(port_.fault()));
+  if (has_owed_returned()) return end(HaplyFault::stop_owed);
   switch (phase_) {
     case Phase::pausing:
     case Phase::opening:
@@ -132,6 +133,7 @@ void Haply::wait_until(std::int64_t deadline_ns) noexcept {
 }
 
 void Haply::opened(LinkFault fault) noexcept {
+  opener_.has_found_one();  // whatever it was, it has been looked for again
   report_.has_looked = true;
   note_debts();  // an earlier driver has ended meanwhile
   phase_began_ns_ = port_.now_ns();
@@ -156,6 +158,8 @@ void Haply::opened(LinkFault fault) noexcept {
   set_ups_ = 0;
   may_push_ = debts_.has(report_.serial);
   port_.set_may_push(may_push_);
+  is_only_owed_ = may_push_ && report_.serial != in_use_;
+  if (!is_only_owed_) in_use_ = report_.serial;
   // Somebody else's torque may stand: zeros do no harm before the board is known.
   if (may_push_) port_.write(hapi::zero_exchange());
   enter(Phase::settling);
@@ -182,7 +186,7 @@ void Haply::probe() noexcept {
     if (!reader_.take(std::span(bytes).first(count))) continue;
     report_.was_set_up = true;
     note_zero_answered();
-    return begin_exchanging();
+    return is_only_owed_ ? leave_owed() : begin_exchanging();
   }
   // The rest of a reply comes in the same packet or in the next.
   if (reader_.holds_address_alone() && since(phase_began_ns_) >= set_up_s) {
@@ -220,7 +224,7 @@ void Haply::begin_exchanging() noexcept {
   sent_ns_ = heard_ns_ = awaited_ns_ = port_.now_ns();
   zeros_ns_ = 0;
   has_answered_ = true;
-  if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) {
+  if (!is_only_owed_ && (report_.state == HaplyState::opening || report_.state == HaplyState::fault)) {
     report_.state = HaplyState::zero_pose;
     report_.fault = HaplyFault::none;
   }
@@ -241,6 +245,7 @@ void Haply::forget_home() noexcept {
 void Haply::exchange() noexcept {
   take_replies();
   if (phase_ != Phase::exchanging) return;
+  if (is_only_owed_ && !may_push_) return leave_owed();
   if (since(awaited_ns_) >= give_up_s && replies_.is_waiting()) return end(HaplyFault::no_replies);
   if (is_unwritten_ && since(unwritten_ns_) >= give_up_s) return end(HaplyFault::broken);
   const std::int64_t now_ns = port_.now_ns();

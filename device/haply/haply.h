@@ -8,7 +8,8 @@
 //
 // No published firmware turns its motors off by itself: the last duty stands until the next exchange, set up or loss of
 // power. So zeros go out in every way out, and a board that has pushed and has not answered a zero is owed a stop
-// (stop_debts.h): it gets zeros first when it is there again.
+// (stop_debts.h). It comes before any other: while it is plugged in no other one is used, and when it is plugged in while
+// another one is, that one's motors stop and it is closed. Another one may push while it is away.
 //
 // A reply that is lost is asked for again after 6 ms (reply_matcher.h). After 20 ms without one the motors get zeros,
 // again and again until the board answers. A board that answers with its address alone has forgotten how it was set up,
@@ -126,6 +127,9 @@ class Haply {
   void note_stop() noexcept;
   void note_zero_answered() noexcept;
   void note_debts() noexcept;
+  bool has_owed_returned() noexcept;
+  bool is_paying() const noexcept;
+  void leave_owed() noexcept;
   void pay_debts() noexcept;
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
@@ -139,7 +143,10 @@ class Haply {
 
   Phase phase_ = Phase::pausing;
   std::int64_t phase_began_ns_ = 0;
-  double pause_s_ = 0.0;  // until the next look
+  double pause_s_ = 0.0;        // until the next look
+  DeviceSerial in_use_;         // the last one that was opened to be used
+  bool is_only_owed_ = false;   // this one is open for its stop alone
+  std::int64_t looked_ns_ = 0;  // for one that is owed a stop, while another is in use
 
   ReplyReader reader_;
   ReplyMatcher replies_;

@@ -5,6 +5,7 @@
 #include "device/haply/haply.h"
 
 namespace ghostforce {
+
 void Haply::end(HaplyFault fault) noexcept {
   // Also through a port that hears no more: it may still be heard.
   if (phase_ == Phase::exchanging || may_push_) {
@@ -64,6 +65,23 @@ void Haply::note_debts() noexcept {
   report_.owed_serial = debts_.empty() ? DeviceSerial() : debts_.serials().front();
 }
 
+// One that is owed a stop is plugged in again, while another one is in use.
+bool Haply::has_owed_returned() noexcept {
+  if (debts_.empty() || debts_.has(report_.serial)) return false;
+  if (since(looked_ns_) >= soon_s) {
+    looked_ns_ = port_.now_ns();
+    opener_.look_for(debts_);
+  }
+  return opener_.has_found_one();
+}
+
+// It has stopped, and the one that is to be used is next.
+void Haply::leave_owed() noexcept {
+  opener_.close();
+  phase_ = Phase::pausing;
+  pause_s_ = 0.0;
+}
+
 void Haply::shut_down() noexcept {
   if (opener_.is_busy()) return;
   if (phase_ == Phase::exchanging) {
@@ -102,8 +120,7 @@ void Haply::pay_debts() noexcept {
   while (!debts_.empty() && since(began_ns) < last_stops_s) {
     const bool was_busy = opener_.is_busy();  // what it has found is known after the next update()
     update();
-    const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
-    if (is_open ? debts_.has(report_.serial) : report_.fault != HaplyFault::none) seen_ns = port_.now_ns();
+    if (is_paying()) seen_ns = port_.now_ns();
     const bool is_looking = was_busy || opener_.is_busy() || phase_ == Phase::opening;
     if (!is_looking && since(seen_ns) >= last_look_s) break;
     opener_.wait_until(port_.now_ns() + 1'000'000);
@@ -111,6 +128,13 @@ void Haply::pay_debts() noexcept {
   shut_down();
   if (options_.when_left_pushing == nullptr || options_.is_virtual) return;
   for (const DeviceSerial& serial : debts_.serials()) options_.when_left_pushing(serial);
+}
+
+// Whether one that is owed a stop is open; or some board is there and could not be opened, perhaps that one.
+bool Haply::is_paying() const noexcept {
+  const bool is_open = phase_ != Phase::pausing && phase_ != Phase::opening;
+  if (is_open) return debts_.has(report_.serial);
+  return report_.fault != HaplyFault::none && report_.fault != HaplyFault::unplugged;
 }
 
 }  // namespace ghostforce
