@@ -1,5 +1,5 @@
-// A board that may still push comes before any other: it is stopped as soon as it is there again, whatever else is in use,
-// and is not used for that.
+// A board that may still push comes before any other: it is stopped as soon as it is there again, whatever else is in
+// use, and is not used for that.
 #include <gtest/gtest.h>
 
 #include <array>

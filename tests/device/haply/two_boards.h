@@ -1,5 +1,5 @@
-// TwoBoards: a port to two simulated boards, of which one is open at a time, on one clock that only waiting moves. A board
-// keeps its duties while its cable is out: its motors have a supply of their own. For tests. One thread.
+// TwoBoards: a port to two simulated boards, of which one is open at a time, on one clock that only waiting moves. A
+// board keeps its duties while its cable is out: its motors have a supply of their own. For tests. One thread.
 #pragma once
 
 #include <array>
