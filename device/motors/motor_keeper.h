@@ -134,9 +134,9 @@ class MotorKeeper {
   // sent before. `exchange(answers, deadline_ns)`: sends a zero where it may, waits until then at the latest, and takes
   // what has come; returns how many answers there are now.
   template <typename Exchange>
-  bool say_goodbye(double longest_s, bool is_waiting, const Exchange& exchange) noexcept {
+  bool say_goodbye(double patience_s, bool is_waiting, const Exchange& exchange) noexcept {
     constexpr std::int64_t longest_wait_ns = 5'000'000;
-    const std::int64_t deadline_ns = now_ns() + static_cast<std::int64_t>(longest_s * 1e9);
+    const std::int64_t deadline_ns = now_ns() + static_cast<std::int64_t>(patience_s * 1e9);
     int heard = is_waiting ? -1 : 0;
     const auto has_heard = [&] { return heard >= goodbye_answers && !may_push_; };
     is_leaving_ = true;
