@@ -1,12 +1,10 @@
 #include "device/falcon/falcon.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "device/falcon/link_setup.h"
-#include "device/motors/emergency_stop.h"
+#include "device/motors/driver_report.h"
 
 namespace ghostforce {
 namespace {
@@ -15,84 +13,63 @@ namespace {
 constexpr int moved_counts = 20;
 // One odd reply is no loss of the zero, and no proof of it.
 constexpr int replies_to_believe = 3;
-// The encoders must tell a position again within this time [s]: sooner than an old one ends the force anyway.
-constexpr double longest_lost_s = 0.010;
-// What no hand does: an arm turns by less. At 1 m/s, where motors go off, it is 63 counts per millisecond where the
-// geometry is worst. After a gap more would be possible than can be told from a mistake; then three replies tell.
-constexpr double greatest_leap_per_s = 65e3;
-constexpr double least_reach = 40.0;      // [counts]
-constexpr double greatest_reach = 250.0;  // less than what a wrong digit of the third place makes [counts]
-
-// In the order of LinkFault: a device that is not there is no fault.
-constexpr std::array link_faults{FalconFault::none,   FalconFault::none,        FalconFault::not_allowed,
-                                 FalconFault::busy,   FalconFault::unsupported, FalconFault::unplugged,
-                                 FalconFault::broken, FalconFault::overruled,   FalconFault::unguarded};
-static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::unguarded) + 1);
 
 // In the order of BootFault.
 constexpr std::array boot_faults{FalconFault::none, FalconFault::no_handshake, FalconFault::no_baud_answer,
                                  FalconFault::echo_missing, FalconFault::echo_differs};
 static_assert(boot_faults.size() == static_cast<std::size_t>(BootFault::echo_differs) + 1);
 
-FalconFault fault_of(LinkFault fault) noexcept {
-  return link_faults[static_cast<std::size_t>(fault)];
-}
-
 FalconFault fault_of(BootFault fault) noexcept {
   return boot_faults[static_cast<std::size_t>(fault)];
 }
 
-FalconOptions with_debts(FalconOptions options) {
-  if (!options.debts) options.debts = std::make_shared<StopDebts>();
-  return options;
-}
-
-bool is_near(const MotorNumbers& a, const MotorNumbers& b, double counts) noexcept {
-  return std::ranges::equal(a, b, [counts](int one, int other) { return std::abs(one - other) <= counts; });
+MotorKeeper::Options keeper_options(const FalconOptions& options) {
+  return {options.debts, options.is_virtual ? nullptr : options.when_left_pushing};
 }
 
 }  // namespace
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)
     : link_(*link),
-      opener_(std::move(link)),
-      options_(with_debts(std::move(options))),
-      debts_(*options_.debts),
-      kinematics_(calibration_.geometry),
-      // What is looked for is looked for at once.
-      phase_began_ns_(opener_.link().now_ns()) {
+      keeper_(std::move(link), keeper_options(options)),
+      options_(std::move(options)),
+      kinematics_(calibration_.geometry) {
   report_.is_virtual = options_.is_virtual;
   report_.has_firmware_file = !options_.firmware.empty();
   report_.firmware_size = static_cast<std::uint32_t>(options_.firmware.size());
   report_.attempts = attempts;
-  note_debts();  // those of an earlier driver
+  keeper_.tell(report_);  // what is owed since an earlier driver
 }
 
+// A device that is silent at the end is not given firmware.
 Falcon::~Falcon() {
-  shut_down();
-  pay_debts();
-  opener_.end();  // until then an emergency still finds the link
-  emergency_stop::watch(nullptr);
-}
-
-double Falcon::since(std::int64_t then_ns) const noexcept {
-  return static_cast<double>(link().now_ns() - then_ns) * 1e-9;
+  options_.firmware.clear();
+  attempt_ = 0;
+  keeper_.end(*this);
 }
 
 void Falcon::update() noexcept {
-  if (opener_.is_busy()) return;
-  if (phase_ == Phase::pausing) {
-    if (since(phase_began_ns_) < pause_s_) return;
-    poll();
-    if (opener_.is_busy()) return;
+  advance();
+  keeper_.tell(report_);
+}
+
+void Falcon::advance() noexcept {
+  switch (keeper_.update()) {
+    case MotorKeeper::Event::away:
+      return;
+    case MotorKeeper::Event::absent:
+      return note_absence();
+    case MotorKeeper::Event::opened:
+      return opened();
+    case MotorKeeper::Event::failed:
+      return end(fault_of_link<FalconFault>(link().fault()));
+    case MotorKeeper::Event::overtaken:
+      return end(FalconFault::stop_owed);
+    case MotorKeeper::Event::open:
+      break;
   }
-  if (phase_ == Phase::opening) return opened(link().fault());
-  link().wait_until(link().now_ns());  // lets transfers make progress
-  if (link().fault() != LinkFault::none) return end(fault_of(link().fault()));
-  if (has_owed_returned()) return end(FalconFault::stop_owed);
   switch (phase_) {
-    case Phase::pausing:
-    case Phase::opening:
+    case Phase::closed:
       return;
     case Phase::configuring:
       return configure();
@@ -106,42 +83,22 @@ void Falcon::update() noexcept {
 }
 
 void Falcon::wait_until(std::int64_t deadline_ns) noexcept {
-  opener_.wait_until(std::min(deadline_ns, stop_ns()));
+  keeper_.wait_until(std::min(deadline_ns, stop_ns()));
 }
 
-void Falcon::poll() noexcept {
-  opener_.open(debts_);
-  phase_ = Phase::opening;
+void Falcon::note_absence() noexcept {
+  report_absent(report_);
+  has_answered_ = false;
+  attempt_ = 0;
 }
 
-void Falcon::opened(LinkFault fault) noexcept {
-  opener_.has_found_one();  // whatever it was, it has been looked for again
-  report_.has_looked = true;
-  note_debts();  // an earlier driver has ended meanwhile
-  phase_began_ns_ = link().now_ns();
-  if (fault == LinkFault::absent) {
-    phase_ = Phase::pausing;
-    pause_s_ = debts_.empty() ? look_again_s : soon_s;
-    has_answered_ = false;
-    // That it was there and has gone stays on screen until it is back.
-    if (report_.fault != FalconFault::none) report_.fault = FalconFault::unplugged;
-    report_.state = report_.fault == FalconFault::none ? FalconState::absent : FalconState::fault;
+void Falcon::opened() noexcept {
+  if (keeper_.is_another()) {
     attempt_ = 0;
-    return;
+    has_answered_ = false;
   }
-  if (fault != LinkFault::none) return end(fault_of(fault));
-  emergency_stop::watch(&link());
   report_.is_guarded = link().is_guarded();
-  const DeviceSerial before = std::exchange(report_.serial, device_serial_of(link().serial()));
-  if (before != report_.serial) {
-    attempt_ = 0;
-    has_answered_ = false;
-  }
-  may_push_ = debts_.has(report_.serial);
-  link().set_may_push(may_push_);
-  is_only_owed_ = may_push_ && report_.serial != in_use_;
-  if (!is_only_owed_) in_use_ = report_.serial;
-  calibration_ = calibration_of(report_.serial, options_.calibrations);
+  calibration_ = calibration_of(keeper_.serial(), options_.calibrations);
   kinematics_ = FalconKinematics(calibration_.geometry);
   report_.exchanges = 0;
   report_.lost_exchanges = 0;
@@ -155,7 +112,7 @@ void Falcon::opened(LinkFault fault) noexcept {
 }
 
 void Falcon::begin_asking() noexcept {
-  questions_left_ = has_answered_ || may_push_ ? patient_questions : first_questions;
+  questions_left_ = has_answered_ || keeper_.may_push() ? patient_questions : first_questions;
   set_up_chip();
 }
 
@@ -177,14 +134,8 @@ void Falcon::configure() noexcept {
 // never taken for silence: loading firmware makes a device forget its home.
 void Falcon::ask() noexcept {
   if (take_replies()) {
-    if (is_only_owed_) {
-      if (may_push_) return;
-      // The one that is to be used is next.
-      opener_.close();
-      phase_ = Phase::pausing;
-      pause_s_ = 0.0;
-      return;
-    }
+    if (keeper_.has_paid()) return close(0.0);
+    if (keeper_.is_only_owed()) return;
     report_.has_firmware = has_answered_ = true;
     attempt_ = 0;
     phase_ = Phase::exchanging;
@@ -199,7 +150,7 @@ void Falcon::ask() noexcept {
   }
   if (questions_left_ > 0) {
     // The chip of one that may push can have been reset again, and have lost its rate.
-    if (may_push_ && replies_.is_waiting()) return set_up_chip();
+    if (keeper_.may_push() && replies_.is_waiting()) return set_up_chip();
     if (send_command()) --questions_left_;
     return;
   }
@@ -229,12 +180,11 @@ void Falcon::load() noexcept {
 // What helps most often is to begin anew with the device closed and opened.
 void Falcon::try_loading_again(FalconFault fault) noexcept {
   const int next = attempt_ + 1;
-  end(fault);
-  if (next > attempts) return;  // and after the pause from the beginning
+  if (next > attempts) return end(fault);  // and after the pause from the beginning
+  end(fault, load_again_s);
   attempt_ = next;
   report_.attempt = next;
   report_.state = FalconState::loading_firmware;
-  pause_s_ = 0.1;
 }
 
 void Falcon::begin_exchanging() noexcept {
@@ -244,7 +194,7 @@ void Falcon::begin_exchanging() noexcept {
   is_command_new_ = false;
   is_purging_ = false;
   has_home_ = false;
-  lost_position_ns_ = 0;
+  position_times_.reset();
   sent_ns_ = heard_ns_ = awaited_ns_ = link().now_ns();
   unanswered_ns_.reset();
   window_.begin(sent_ns_);
@@ -254,26 +204,25 @@ void Falcon::begin_exchanging() noexcept {
   unhomed_replies_ = homed_replies_ = 0;
 }
 
-void Falcon::end(FalconFault fault) noexcept {
+void Falcon::close(double pause_s) noexcept {
+  phase_ = Phase::closed;
+  keeper_.let_go(pause_s);
+}
+
+void Falcon::end(FalconFault fault, double pause_s) noexcept {
   // Also through a link that hears no more: it may still be heard, and closing it insists.
-  if (phase_ == Phase::exchanging || (phase_ == Phase::asking && may_push_)) stop_motors();
-  opener_.close();
+  if (phase_ == Phase::exchanging || (phase_ == Phase::asking && keeper_.may_push())) stop_motors();
+  close(pause_s);
   if (fault == FalconFault::unplugged) has_answered_ = false;
-  report_.state = FalconState::fault;
-  report_.fault = fault;
-  ++report_.faults;
+  report_fault(report_, fault);
   report_.has_firmware = false;
   report_.has_homed = {};
   report_.has_moved = {};
   report_.exchange_hz = 0.0;
   report_.motors = {};
   report_.buttons = 0;
-  position_time_ns_ = 0;
+  position_times_.reset();
   attempt_ = 0;
-  phase_ = Phase::pausing;
-  phase_began_ns_ = link().now_ns();
-  // Somebody who plugs a device in again is not made to wait.
-  pause_s_ = fault == FalconFault::unplugged || !debts_.empty() ? soon_s : try_again_s;
 }
 
 void Falcon::exchange() noexcept {
@@ -310,14 +259,7 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   heard_ns_ = awaited_ns_ = link().now_ns();
   // It may have been the answer to an older command.
   unanswered_ns_ = replies_.is_waiting() ? std::optional(heard_ns_) : std::nullopt;
-  // A reply to an older command, one with force, says nothing about a zero that was sent beside it.
-  const bool has_heard_zero = zero_ns_ && *asked_ns >= *zero_ns_;
-  if (!replies_.is_waiting() && has_heard_zero) {
-    if (may_push_) link().set_may_push(false);
-    may_push_ = false;
-    debts_.remove(report_.serial);
-    note_debts();
-  }
+  if (!replies_.is_waiting() && keeper_.answers_zero(*asked_ns)) keeper_.zero_answered();
   ++report_.exchanges;
   const double exchange_s = since(*asked_ns);
   window_.add(exchange_s);
@@ -325,7 +267,7 @@ void Falcon::take(const ReplyFrame& frame) noexcept {
   report_.encoders = frame.encoders;
   report_.buttons = frame.status & 0x0F;
   follow_homing(frame.status);
-  if (has_home_ && believes(frame.encoders)) {
+  if (has_home_ && leap_filter_.add(frame.encoders, heard_ns_) != LeapFilter<MotorNumbers>::Verdict::odd) {
     follow_encoders(frame.encoders);
     locate(frame.encoders, *asked_ns);
   }
@@ -338,14 +280,12 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
   homed_replies_ = is_homed ? homed_replies_ + 1 : 0;
   if (!has_home_ && homed_replies_ >= replies_to_believe) {
     has_home_ = true;
-    report_.state = FalconState::idle;
-    report_.fault = FalconFault::none;
+    report_idle(report_);
     report_.has_moved = {};
     least_ = greatest_ = report_.encoders;
     report_.position = cold_start;
-    position_time_ns_ = 0;
-    lost_position_ns_ = 0;
-    believed_ns_ = 0;
+    position_times_.reset();
+    leap_filter_.reset();
     set_force(Vector<3>(0.0), false);
   } else if (has_home_ && unhomed_replies_ >= replies_to_believe) {
     has_home_ = false;
@@ -354,19 +294,6 @@ void Falcon::follow_homing(std::uint8_t status) noexcept {
     command_ = {.motors = {}, .info = CommandFrame::homing | CommandFrame::red};
     is_command_new_ = true;
   }
-}
-
-bool Falcon::believes(const MotorNumbers& encoders) noexcept {
-  const double reach = std::min(least_reach + greatest_leap_per_s * since(believed_ns_), greatest_reach);
-  if (believed_ns_ != 0 && !is_near(encoders, believed_, reach)) {
-    odd_replies_ = odd_replies_ > 0 && is_near(encoders, odd_, greatest_reach) ? odd_replies_ + 1 : 1;
-    odd_ = encoders;
-    if (odd_replies_ < replies_to_believe) return false;
-  }
-  odd_replies_ = 0;
-  believed_ = encoders;
-  believed_ns_ = heard_ns_;
-  return true;
 }
 
 void Falcon::follow_encoders(const MotorNumbers& encoders) noexcept {
@@ -382,20 +309,13 @@ void Falcon::locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcep
   const ForwardKinematics found = kinematics_.position(joint_angles(encoders, calibration_), report_.position);
   if (found.has_converged) {
     report_.position = found.position;
-    position_time_ns_ = asked_ns;
-    position_heard_ns_ = heard_ns_;
-    lost_position_ns_ = 0;
+    position_times_.found(asked_ns, heard_ns_);
     if (report_.is_readable()) return;
-    report_.state = FalconState::idle;
-    report_.fault = FalconFault::none;
+    report_idle(report_);
     set_force(Vector<3>(0.0), false);
-  } else if (lost_position_ns_ == 0) {
-    lost_position_ns_ = link().now_ns();
-  } else if (report_.is_readable() && since(lost_position_ns_) >= longest_lost_s) {
+  } else if (position_times_.not_found(link().now_ns()) && report_.is_readable()) {
     // The device itself is well: it is listened to until its encoders make sense again.
-    report_.state = FalconState::fault;
-    report_.fault = FalconFault::kinematics;
-    ++report_.faults;
+    report_fault(report_, FalconFault::kinematics);
     command_ = {.motors = {}, .info = CommandFrame::red};
     is_command_new_ = true;
   }
@@ -411,29 +331,21 @@ void Falcon::set_force(const Vector<3>& force, bool is_armed) noexcept {
   }
   is_command_new_ = true;
   if (is_purging_) return;
-  // Off does not wait for a reply.
-  const bool is_off_now = !is_armed && report_.motors != MotorNumbers{};
-  if (replies_.may_send(link().now_ns()) || is_off_now) send_command();
+  const bool ends_force = !is_armed && report_.motors != MotorNumbers{};
+  if (replies_.may_send(link().now_ns(), ends_force)) send_command();
 }
 
 bool Falcon::send_command() noexcept {
-  if (is_leaving_) command_ = {};
-  // Whoever waits too long for a reply does not go on pushing.
-  if (since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_.motors = {};
-  const bool begins_to_push = command_.motors != MotorNumbers{} && !may_push_;
-  if (begins_to_push) {
-    may_push_ = true;
-    link().set_may_push(true);
-  }
+  // A device that is let go gets no light and is not homed either, whatever its answers tell.
+  if (keeper_.is_leaving()) command_ = {};
+  if (keeper_.must_stop(heard_ns_)) command_.motors = {};
+  const bool pushes = command_.motors != MotorNumbers{};
+  if (pushes) keeper_.will_push();
   if (!link().write(encode(command_))) return false;
   report_.motors = command_.motors;
   is_command_new_ = false;
   sent_ns_ = link().now_ns();
-  if (command_.motors != MotorNumbers{}) {
-    zero_ns_.reset();
-  } else if (!zero_ns_) {
-    zero_ns_ = sent_ns_;
-  }
+  keeper_.sent(pushes, sent_ns_);
   if (!replies_.is_waiting()) asked_ns_ = sent_ns_;
   if (!unanswered_ns_) unanswered_ns_ = sent_ns_;
   replies_.sent(sent_ns_);
@@ -441,11 +353,7 @@ bool Falcon::send_command() noexcept {
 }
 
 void Falcon::measure_rate() noexcept {
-  const auto measured = window_.next(link().now_ns());
-  if (!measured) return;
-  report_.exchange_hz = measured->exchange_hz;
-  report_.exchange_s = measured->exchange_s;
-  report_.worst_exchange_s = measured->worst_exchange_s;
+  if (!window_.tell(report_, link().now_ns())) return;
   report_.line_errors = link().counters().line_errors;
   report_.is_guarded = link().is_guarded();
   // By the time of one answer: a device that is not homed yet is asked less often than it could be.

@@ -3,17 +3,12 @@
 // it again when it was lost. Frame: x right, y up, z out of the device towards the user, from the middle of its base;
 // m and N.
 //
-// One thread. update() does what can be done now: it never waits, throws or allocates. A separate thread does what
-// takes a while, opening and closing (link_opener.h).
+// One thread. update() does what can be done now: it never waits, throws or allocates. What all devices with motors
+// need is in motor_keeper.h: they are opened and closed on a separate thread, and a stop that is owed comes first.
 //
 // A reply that is lost or garbled is asked for again after 6 ms, and for up to 18 ms no new force goes out
 // (frame.h). After 20 ms without a reply the motors are told to stop, and again once the chip has been set up
-// anew (link_setup.h). Encoders that leap farther than a hand can move are not believed until three replies in a row
-// say so.
-//
-// A device that has pushed and does not answer a zero is owed a stop (stop_debts.h). It comes before any other: while
-// it is plugged in no other one is used, and when it is plugged in while another one is, that one's motors stop and it
-// is closed. Another one may push while it is away: nothing could be done for it meanwhile.
+// anew (link_setup.h).
 #pragma once
 
 #include <array>
@@ -30,9 +25,10 @@
 #include "device/falcon/kinematics.h"
 #include "device/falcon/link_script.h"
 #include "device/motors/exchange_window.h"
-#include "device/motors/link_opener.h"
+#include "device/motors/leap_filter.h"
+#include "device/motors/motor_keeper.h"
+#include "device/motors/position_times.h"
 #include "device/motors/reply_matcher.h"
-#include "device/motors/stop_debts.h"
 
 namespace ghostforce {
 
@@ -40,11 +36,8 @@ struct FalconOptions {
   std::vector<std::uint8_t> firmware;           // a validated image (firmware_file.h); empty: there is none
   std::vector<FalconCalibration> calibrations;  // by serial number; a device without one gets the default
   bool is_virtual = false;                      // for the report
-  // Of the devices of this link; they outlive a driver, so that the next one with these options pays them. One driver runs
-  // at a time; the one before ends on the thread that has made the next. Null: those of the driver alone.
+  // As MotorKeeper::Options; of a virtual one nobody is told that it was left pushing.
   std::shared_ptr<StopDebts> debts{};
-  // The driver ends, and this device, a real one, has not answered a stop: it may still push. On the thread that ends the
-  // driver; null: nobody wants to hear of it.
   void (*when_left_pushing)(const DeviceSerial& serial) noexcept = nullptr;
 };
 
@@ -52,11 +45,9 @@ class Falcon {
  public:
   // To load the firmware; the first one after power-up often fails.
   static constexpr int attempts = 10;
-  static constexpr double look_again_s = 0.5;  // while absent
-  static constexpr double try_again_s = 1.0;   // after a fault
-  static constexpr double soon_s = 0.1;        // after it was unplugged, and while a stop is owed
+  static constexpr double load_again_s = 0.1;  // after an attempt that failed
   // Without a reply: motors are told to stop. Replies that come later still must never look fresh.
-  static constexpr double stop_s = 0.020;
+  static constexpr double stop_s = MotorKeeper::stop_s;
   static constexpr double give_up_s = 1.0;        // without a reply
   static constexpr double keep_alive_s = 0.003;   // after a reply, if nobody commands anything
   static constexpr double first_reply_s = 0.020;  // of a device that may have firmware
@@ -65,9 +56,6 @@ class Falcon {
   static constexpr int patient_questions = 100;
   // For the answers of a device that is let go, which may have to be set up anew before it hears anything.
   static constexpr double goodbye_s = 0.25;
-  // At the end of the program, for devices that are owed a stop and are plugged in.
-  static constexpr double last_stops_s = 3.0;
-  static constexpr double last_look_s = 0.5;  // since the last sign of one of them
 
   Falcon(std::unique_ptr<FalconLink> link, FalconOptions options);
   ~Falcon();
@@ -88,9 +76,9 @@ class Falcon {
   // Of the position in the report; see FalconKinematics.
   std::optional<Matrix<3>> jacobian() const noexcept { return kinematics_.jacobian(report_.position); }
   // Of the newest reply that told a position; 0 before the first.
-  std::int64_t position_time_ns() const noexcept { return position_time_ns_; }
-  // When that reply came: after a loss the time above may be that of an earlier command.
-  std::int64_t position_heard_ns() const noexcept { return position_heard_ns_; }
+  std::int64_t position_time_ns() const noexcept { return position_times_.asked_ns(); }
+  // When that reply came.
+  std::int64_t position_heard_ns() const noexcept { return position_times_.heard_ns(); }
   bool is_waiting_for_reply() const noexcept { return is_exchanging() && replies_.is_waiting(); }
   // Lets the device work until then; returns sooner when something has happened, or the motors are to be told to stop.
   void wait_until(std::int64_t deadline_ns) noexcept;
@@ -98,18 +86,19 @@ class Falcon {
   // For who drives the motors without this driver, while nobody calls update(): afterwards the device has to answer a
   // zero, or it is owed one.
   FalconLink& lend_link() noexcept {
-    may_push_ = true;
+    keeper_.lend();
     return link();
   }
 
  private:
-  enum class Phase : std::uint8_t { pausing, opening, configuring, asking, loading, exchanging };
+  enum class Phase : std::uint8_t { closed, configuring, asking, loading, exchanging };
 
   bool is_exchanging() const noexcept { return phase_ == Phase::asking || phase_ == Phase::exchanging; }
-  double since(std::int64_t then_ns) const noexcept;
+  double since(std::int64_t then_ns) const noexcept { return keeper_.since(then_ns); }
 
-  void poll() noexcept;
-  void opened(LinkFault fault) noexcept;
+  void advance() noexcept;
+  void note_absence() noexcept;
+  void opened() noexcept;
   void begin_asking() noexcept;
   void set_up_chip() noexcept;
   void configure() noexcept;
@@ -117,13 +106,13 @@ class Falcon {
   void load() noexcept;
   void exchange() noexcept;
   void begin_exchanging() noexcept;
-  void end(FalconFault fault) noexcept;
+  void close(double pause_s) noexcept;
+  void end(FalconFault fault, double pause_s = MotorKeeper::try_again_s) noexcept;
   void try_loading_again(FalconFault fault) noexcept;
 
   bool take_replies() noexcept;
   void take(const ReplyFrame& frame) noexcept;
   void follow_homing(std::uint8_t status) noexcept;
-  bool believes(const MotorNumbers& encoders) noexcept;
   void follow_encoders(const MotorNumbers& encoders) noexcept;
   void locate(const MotorNumbers& encoders, std::int64_t asked_ns) noexcept;
   bool send_command() noexcept;
@@ -131,28 +120,18 @@ class Falcon {
   bool recover() noexcept;
   void note_stop() noexcept;
   std::int64_t stop_ns() const noexcept;
-  void note_debts() noexcept;
-  bool has_owed_returned() noexcept;
-  void pay_debts() noexcept;
-  bool is_paying() const noexcept;
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
 
-  FalconLink& link_;  // the opener's
-  LinkOpener opener_;
+  FalconLink& link_;  // the keeper's
+  MotorKeeper keeper_;
   FalconOptions options_;
-  StopDebts& debts_;  // the options'
   FalconCalibration calibration_;
   FalconKinematics kinematics_;
   FalconReport report_;
 
-  Phase phase_ = Phase::pausing;
-  std::int64_t phase_began_ns_ = 0;
-  double pause_s_ = 0.0;        // until the next look
-  int attempt_ = 0;             // to load the firmware
-  DeviceSerial in_use_;         // the last one that was opened to be used
-  bool is_only_owed_ = false;   // this one is open for its stop alone
-  std::int64_t looked_ns_ = 0;  // for one that is owed a stop, while another is in use
+  Phase phase_ = Phase::closed;
+  int attempt_ = 0;  // to load the firmware
   bool may_have_firmware_ = true;
   LinkScript link_script_;
   BootLoader boot_loader_;
@@ -163,14 +142,11 @@ class Falcon {
   FrameReader<ReplyFrame> reader_;
   CommandFrame command_;
   bool is_command_new_ = false;  // not sent yet
-  bool is_leaving_ = false;      // whatever answers tell, no force, light or homing is asked for
-  bool may_push_ = false;        // a force was asked for, and no zero that the device has heard since
   ReplyMatcher replies_;
   std::int64_t sent_ns_ = 0;     // the last command
   std::int64_t asked_ns_ = 0;    // the first command since the last reply, or since the link was set up again
   std::int64_t heard_ns_ = 0;    // the last reply
   std::int64_t awaited_ns_ = 0;  // since then it is to answer: the last reply, or when the link was set up again
-  std::optional<std::int64_t> zero_ns_;        // the first zero since the last force; empty: a force was last
   std::optional<std::int64_t> unanswered_ns_;  // since when a command waits for its reply; empty: none does
   bool is_purging_ = false;
   bool wants_latency_ = false;  // the chip is too slow, and has perhaps refused to be faster
@@ -179,13 +155,10 @@ class Falcon {
   bool has_home_ = false;       // believed
   MotorNumbers least_{};        // of the encoders, since homing
   MotorNumbers greatest_{};
-  MotorNumbers believed_{};       // the newest encoders that were believed
-  MotorNumbers odd_{};            // and the newest that were not
-  int odd_replies_ = 0;           // like these, in a row
-  std::int64_t believed_ns_ = 0;  // 0: none yet
-  std::int64_t position_time_ns_ = 0;
-  std::int64_t position_heard_ns_ = 0;
-  std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
+  // What no hand does: an arm turns by less. At 1 m/s, where motors go off, it is 63 counts per millisecond where the
+  // geometry is worst; and a wrong digit of the third place makes more than the greatest reach.
+  LeapFilter<MotorNumbers> leap_filter_{{.least = 40.0, .per_s = 65e3, .greatest = 250.0}};
+  PositionTimes position_times_;
   ExchangeWindow window_;
 };
 

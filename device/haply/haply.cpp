@@ -5,23 +5,15 @@
 #include <limits>
 #include <utility>
 
-#include "device/motors/emergency_stop.h"
+#include "device/motors/driver_report.h"
 
 namespace ghostforce {
 namespace {
 
-// One odd reply is no loss of a position, and no proof of one.
-constexpr int replies_to_believe = 3;
 // The second answer in a row that is the address alone cannot be a reply that was cut short.
 constexpr int short_replies_to_believe = 2;
-// The arms must tell a position again within this time [s]: sooner than an old one ends the force anyway.
-constexpr double longest_lost_s = 0.010;
 // An encoder that has gone so far is connected and counting.
 constexpr double moved_rad = 3.0 * radians_per_degree;
-// What no hand does: at 1 m/s, where motors go off, an arm turns by 0.8° per millisecond in the workspace.
-constexpr double greatest_leap_rad_per_s = 2000.0 * radians_per_degree;
-constexpr double least_reach_rad = 2.0 * radians_per_degree;
-constexpr double greatest_reach_rad = 15.0 * radians_per_degree;
 // In a row without an answer. The published firmwares allocate at each and free nothing.
 constexpr int most_set_ups = 2;
 // No answer was ever seen to come later [s].
@@ -32,19 +24,8 @@ constexpr int most_slow_replies = 10;
 // Below a thousandth of a step of any board's duty: what rounding leaves of a motor that is not used [N·m].
 constexpr double no_torque = 1e-7;
 
-// In the order of LinkFault: a board that is not there is no fault.
-constexpr std::array link_faults{HaplyFault::none,   HaplyFault::none,        HaplyFault::not_allowed,
-                                 HaplyFault::busy,   HaplyFault::unsupported, HaplyFault::unplugged,
-                                 HaplyFault::broken, HaplyFault::overruled,   HaplyFault::unguarded};
-static_assert(link_faults.size() == static_cast<std::size_t>(LinkFault::unguarded) + 1);
-
-HaplyFault fault_of(LinkFault fault) noexcept {
-  return link_faults[static_cast<std::size_t>(fault)];
-}
-
-HaplyOptions with_debts(HaplyOptions options) {
-  if (!options.debts) options.debts = std::make_shared<StopDebts>();
-  return options;
+MotorKeeper::Options keeper_options(const HaplyOptions& options) {
+  return {options.debts, options.is_virtual ? nullptr : options.when_left_pushing};
 }
 
 bool are_near(const std::array<double, 2>& a, const std::array<double, 2>& b, double reach) noexcept {
@@ -72,26 +53,16 @@ std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept
 
 Haply::Haply(std::unique_ptr<SerialPort> port, HaplyOptions options)
     : port_(*port),
-      opener_(std::move(port)),
-      options_(with_debts(std::move(options))),
-      debts_(*options_.debts),
-      calibration_(options_.usual),
-      // What is looked for is looked for at once.
-      phase_began_ns_(port_.now_ns()) {
+      keeper_(std::move(port), keeper_options(options)),
+      options_(std::move(options)),
+      calibration_(options_.usual) {
   report_.is_virtual = options_.is_virtual;
   report_.variant = calibration_.variant;
-  note_debts();  // those of an earlier driver
+  keeper_.tell(report_);  // what is owed since an earlier driver
 }
 
 Haply::~Haply() {
-  shut_down();
-  pay_debts();
-  opener_.end();  // until then an emergency still finds the port
-  emergency_stop::watch(nullptr);
-}
-
-double Haply::since(std::int64_t then_ns) const noexcept {
-  return static_cast<double>(port_.now_ns() - then_ns) * 1e-9;
+  keeper_.end(*this);
 }
 
 void Haply::enter(Phase phase) noexcept {
@@ -100,19 +71,27 @@ void Haply::enter(Phase phase) noexcept {
 }
 
 void Haply::update() noexcept {
-  if (opener_.is_busy()) return;
-  if (phase_ == Phase::pausing) {
-    if (since(phase_began_ns_) < pause_s_) return;
-    opener_.open(debts_);
-    phase_ = Phase::opening;
-    if (opener_.is_busy()) return;
+  advance();
+  keeper_.tell(report_);
+}
+
+void Haply::advance() noexcept {
+  switch (keeper_.update()) {
+    case MotorKeeper::Event::away:
+      return;
+    case MotorKeeper::Event::absent:
+      return report_absent(report_);
+    case MotorKeeper::Event::opened:
+      return opened();
+    case MotorKeeper::Event::failed:
+      return end(fault_of_link<HaplyFault>(port_.fault()));
+    case MotorKeeper::Event::overtaken:
+      return end(HaplyFault::stop_owed);
+    case MotorKeeper::Event::open:
+      break;
   }
-  if (phase_ == Phase::opening) return opened(port_.fault());
-  port_.wait_until(port_.now_ns());  // lets transfers make progress
-  if (port_.fault() != LinkFault::none) return end(fault_of(port_.fault()));
   switch (phase_) {
-    case Phase::pausing:
-    case Phase::opening:
+    case Phase::closed:
       return;
     case Phase::settling:
       if (since(phase_began_ns_) >= settle_s) ask();
@@ -128,36 +107,20 @@ void Haply::update() noexcept {
 }
 
 void Haply::wait_until(std::int64_t deadline_ns) noexcept {
-  opener_.wait_until(std::min(deadline_ns, stop_ns()));
+  keeper_.wait_until(std::min(deadline_ns, stop_ns()));
 }
 
-void Haply::opened(LinkFault fault) noexcept {
-  report_.has_looked = true;
-  note_debts();  // an earlier driver has ended meanwhile
-  phase_began_ns_ = port_.now_ns();
-  if (fault == LinkFault::absent) {
-    phase_ = Phase::pausing;
-    pause_s_ = debts_.empty() ? look_again_s : soon_s;
-    // That it was there and has gone stays on screen until it is back.
-    if (report_.fault != HaplyFault::none) report_.fault = HaplyFault::unplugged;
-    report_.state = report_.fault == HaplyFault::none ? HaplyState::absent : HaplyState::fault;
-    return;
-  }
-  if (fault != LinkFault::none) return end(fault_of(fault));
-  emergency_stop::watch(&port_);
+void Haply::opened() noexcept {
+  if (keeper_.is_another()) has_answered_ = false;
   report_.is_guarded = port_.is_guarded();
-  const DeviceSerial before = std::exchange(report_.serial, device_serial_of(port_.serial()));
-  has_answered_ = has_answered_ && before == report_.serial;
-  calibration_ = calibration_of(report_.serial, options_.calibrations, options_.usual);
+  calibration_ = calibration_of(keeper_.serial(), options_.calibrations, options_.usual);
   report_.variant = calibration_.variant;
   report_.exchanges = report_.lost_exchanges = 0;
   report_.state = HaplyState::opening;
   forget_home();
   set_ups_ = 0;
-  may_push_ = debts_.has(report_.serial);
-  port_.set_may_push(may_push_);
   // Somebody else's torque may stand: zeros do no harm before the board is known.
-  if (may_push_) port_.write(hapi::zero_exchange());
+  if (keeper_.may_push()) port_.write(hapi::zero_exchange());
   enter(Phase::settling);
 }
 
@@ -182,7 +145,7 @@ void Haply::probe() noexcept {
     if (!reader_.take(std::span(bytes).first(count))) continue;
     report_.was_set_up = true;
     note_zero_answered();
-    return begin_exchanging();
+    return keeper_.has_paid() ? close(0.0) : begin_exchanging();
   }
   // The rest of a reply comes in the same packet or in the next.
   if (reader_.holds_address_alone() && since(phase_began_ns_) >= set_up_s) {
@@ -198,10 +161,10 @@ void Haply::send_set_up() noexcept {
   is_command_new_ = false;
   port_.discard_input();
   reader_.reset();
-  position_time_ns_ = 0;
+  position_times_.reset();
   if (++set_ups_ > most_set_ups) return end(HaplyFault::restarted);
   if (!port_.write(hapi::encode(set_up_of(calibration_)))) return end(HaplyFault::broken);
-  if (!zero_ns_) zero_ns_ = port_.now_ns();
+  keeper_.sent(false, port_.now_ns());
   enter(Phase::setting_up);
 }
 
@@ -213,14 +176,13 @@ void Haply::begin_exchanging() noexcept {
   command_ = {};
   is_command_new_ = false;
   in_flight_ = in_flight_before_zero_ = 0;
-  believed_ns_ = 0;
-  odd_replies_ = 0;
-  lost_position_ns_ = 0;
+  leap_filter_.reset();
+  position_times_.reset();
   still_ns_ = 0;
   sent_ns_ = heard_ns_ = awaited_ns_ = port_.now_ns();
   zeros_ns_ = 0;
   has_answered_ = true;
-  if (report_.state == HaplyState::opening || report_.state == HaplyState::fault) {
+  if (!keeper_.is_only_owed() && (report_.state == HaplyState::opening || report_.state == HaplyState::fault)) {
     report_.state = HaplyState::zero_pose;
     report_.fault = HaplyFault::none;
   }
@@ -235,19 +197,20 @@ void Haply::forget_home() noexcept {
   report_.workspace_share = 1.0;
   wants_zero_pose_ = false;
   pose_.reset();
-  position_time_ns_ = 0;
+  position_times_.reset();
 }
 
 void Haply::exchange() noexcept {
   take_replies();
   if (phase_ != Phase::exchanging) return;
+  if (keeper_.has_paid()) return close(0.0);
   if (since(awaited_ns_) >= give_up_s && replies_.is_waiting()) return end(HaplyFault::no_replies);
   if (is_unwritten_ && since(unwritten_ns_) >= give_up_s) return end(HaplyFault::broken);
   const std::int64_t now_ns = port_.now_ns();
   const bool is_stop_due = now_ns >= stop_ns();
   const bool may_ask_again = replies_.may_ask_again(now_ns);
   // A board that answers with something else than replies does not take zeros for zeros. A set up stops it all the same.
-  const bool is_out_of_step = is_stop_due && may_push_ && reader_.holds_bytes();
+  const bool is_out_of_step = is_stop_due && keeper_.may_push() && reader_.holds_bytes();
   // What there is of a reply belongs to the question that is given up.
   const bool has_forgotten =
       may_ask_again && reader_.holds_address_alone() && ++short_replies_ >= short_replies_to_believe;
@@ -260,7 +223,7 @@ void Haply::exchange() noexcept {
     return send_set_up();
   }
   if (is_stop_due) return send_zeros();
-  if (wants_zero_pose_ && !may_push_ && !replies_.is_waiting()) {
+  if (wants_zero_pose_ && !keeper_.may_push() && !replies_.is_waiting()) {
     wants_zero_pose_ = false;
     if (still_ns_ == 0 || since(still_ns_) < still_s) {
       report_.zero_pose = ZeroPose::moving;
@@ -298,10 +261,10 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   heard_ns_ = awaited_ns_ = port_.now_ns();
   short_replies_ = 0;
   if (in_flight_ > 0) --in_flight_;
-  // A reply to an older command, one with a torque, says nothing about a zero that was sent after it.
-  if (zero_ns_ && in_flight_before_zero_ > 0) {
+  // Replies may be late, and be taken for those to newer commands.
+  if (keeper_.zero_ns() && in_flight_before_zero_ > 0) {
     --in_flight_before_zero_;
-  } else if (zero_ns_ && *asked_ns >= *zero_ns_) {
+  } else if (keeper_.answers_zero(*asked_ns)) {
     note_zero_answered();
   }
   // What is still missing a while after the last silence never comes.
@@ -316,28 +279,15 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   for (std::size_t arm = 0; arm < 2; ++arm) {
     angles[arm] = degrees[calibration_.arms[arm].encoder_port - 1U] * radians_per_degree;
   }
-  if (!believes(angles)) return;
+  using Verdict = LeapFilter<std::array<double, 2>>::Verdict;
+  const Verdict verdict = leap_filter_.add(angles, heard_ns_);
+  if (verdict == Verdict::odd) return;
+  // An encoder that leaps farther than a hand can move an arm has lost its count.
+  if (verdict == Verdict::leapt) lose_count();
   report_.angles = angles;
   follow_stillness();
   if (report_.zero_pose == ZeroPose::setting) judge_zero_pose();
   if (report_.zero_pose == ZeroPose::confirmed) locate(*asked_ns);
-}
-
-bool Haply::believes(const std::array<double, 2>& angles) noexcept {
-  const double reach = std::min(least_reach_rad + greatest_leap_rad_per_s * since(believed_ns_), greatest_reach_rad);
-  if (believed_ns_ != 0 && !are_near(angles, believed_, reach)) {
-    odd_replies_ = odd_replies_ > 0 && are_near(angles, odd_, greatest_reach_rad) ? odd_replies_ + 1 : 1;
-    odd_ = angles;
-    if (odd_replies_ < replies_to_believe) return false;
-  } else {
-    odd_replies_ = 0;
-  }
-  // An encoder that leaps farther than a hand can move an arm has lost its count.
-  if (odd_replies_ > 0 && report_.zero_pose == ZeroPose::confirmed) lose_count();
-  odd_replies_ = 0;
-  believed_ = angles;
-  believed_ns_ = heard_ns_;
-  return true;
 }
 
 void Haply::follow_stillness() noexcept {
@@ -361,11 +311,9 @@ void Haply::judge_zero_pose() noexcept {
     return;
   }
   report_.zero_pose = ZeroPose::confirmed;
-  report_.state = HaplyState::idle;
-  report_.fault = HaplyFault::none;
+  report_idle(report_);
   report_.has_moved = {};
   least_ = greatest_ = report_.angles;
-  lost_position_ns_ = 0;
 }
 
 // `asked_ns`: when the board was asked, for it has not looked at its encoders before.
@@ -380,20 +328,13 @@ void Haply::locate(std::int64_t asked_ns) noexcept {
     const double share = (margin_of(*pose_, report_.angles) - least_margin) / (full_margin - least_margin);
     report_.workspace_share = std::clamp(share, 0.0, 1.0);
     report_.position = pose_->handle;
-    position_time_ns_ = asked_ns;
-    position_heard_ns_ = heard_ns_;
-    lost_position_ns_ = 0;
+    position_times_.found(asked_ns, heard_ns_);
     if (report_.is_readable()) return;
-    report_.state = HaplyState::idle;
-    report_.fault = HaplyFault::none;
+    report_idle(report_);
     set_force(Vector<2>(0.0), false);
-  } else if (lost_position_ns_ == 0) {
-    lost_position_ns_ = port_.now_ns();
-  } else if (report_.is_readable() && since(lost_position_ns_) >= longest_lost_s) {
+  } else if (position_times_.not_found(port_.now_ns()) && report_.is_readable()) {
     // The board itself is well: it is listened to until its angles make sense again.
-    report_.state = HaplyState::fault;
-    report_.fault = HaplyFault::kinematics;
-    ++report_.faults;
+    report_fault(report_, HaplyFault::kinematics);
     command_ = {};
     is_command_new_ = true;
   }
@@ -440,14 +381,12 @@ void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
     command_ = torques;
   }
   is_command_new_ = true;
-  // Off does not wait for a reply.
-  const bool is_off_now = !is_armed && report_.torques != std::array<double, 2>{};
-  if (replies_.may_send(port_.now_ns()) || is_off_now) send_command();
+  const bool ends_force = !is_armed && report_.torques != std::array<double, 2>{};
+  if (replies_.may_send(port_.now_ns(), ends_force)) send_command();
 }
 
 bool Haply::send_command() noexcept {
-  // Whoever waits too long for a reply does not go on pushing.
-  if (is_leaving_ || since(heard_ns_) > stop_s || emergency_stop::is_ordered()) command_ = {};
+  if (keeper_.must_stop(heard_ns_)) command_ = {};
   hapi::PerPort<double> torques{};
   for (std::size_t arm = 0; arm < 2; ++arm) torques[calibration_.arms[arm].motor_port - 1U] = command_[arm];
   if (!send(torques)) return false;
@@ -458,34 +397,21 @@ bool Haply::send_command() noexcept {
 
 bool Haply::send(const hapi::PerPort<double>& torques) noexcept {
   const bool pushes = torques != hapi::PerPort<double>{};
-  if (pushes && !may_push_) {
-    may_push_ = true;
-    port_.set_may_push(true);
-  }
+  if (pushes) keeper_.will_push();
   const bool is_written = port_.write(hapi::exchange(torques));
   if (!is_written && !is_unwritten_) unwritten_ns_ = port_.now_ns();
   is_unwritten_ = !is_written;
   if (!is_written) return false;
   sent_ns_ = port_.now_ns();
   if (!replies_.is_waiting()) awaited_ns_ = std::max(awaited_ns_, sent_ns_);
-  if (pushes) {
-    zero_ns_.reset();
-  } else if (!zero_ns_) {
-    zero_ns_ = sent_ns_;
-    in_flight_before_zero_ = in_flight_;
-  }
+  if (keeper_.sent(pushes, sent_ns_)) in_flight_before_zero_ = in_flight_;
   ++in_flight_;
   replies_.sent(sent_ns_);
   return true;
 }
 
 void Haply::measure_rate() noexcept {
-  const auto measured = window_.next(port_.now_ns());
-  if (!measured) return;
-  report_.exchange_hz = measured->exchange_hz;
-  report_.exchange_s = measured->exchange_s;
-  report_.worst_exchange_s = measured->worst_exchange_s;
-  report_.is_guarded = port_.is_guarded();
+  if (window_.tell(report_, port_.now_ns())) report_.is_guarded = port_.is_guarded();
 }
 
 }  // namespace ghostforce

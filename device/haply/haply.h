@@ -3,12 +3,11 @@
 // again when it was lost. Frame and units as in haply_kinematics.h. Written from the published firmware; not tried on a
 // device.
 //
-// One thread. update() does what can be done now: it never waits, throws or allocates. A separate thread opens and
-// closes (link_opener.h).
+// One thread. update() does what can be done now: it never waits, throws or allocates. What all devices with motors
+// need is in motor_keeper.h: they are opened and closed on a separate thread, and a stop that is owed comes first.
 //
 // No published firmware turns its motors off by itself: the last duty stands until the next exchange, set up or loss of
-// power. So zeros go out in every way out, and a board that has pushed and has not answered a zero is owed a stop
-// (stop_debts.h): it gets zeros first when it is there again.
+// power. So zeros go out in every way out, and a board that has pushed and has not answered a zero is owed a stop.
 //
 // A reply that is lost is asked for again after 6 ms (reply_matcher.h). After 20 ms without one the motors get zeros,
 // again and again until the board answers. A board that answers with its address alone has forgotten how it was set up,
@@ -29,9 +28,10 @@
 #include "device/haply/reply_reader.h"
 #include "device/haply/serial_port.h"
 #include "device/motors/exchange_window.h"
-#include "device/motors/link_opener.h"
+#include "device/motors/leap_filter.h"
+#include "device/motors/motor_keeper.h"
+#include "device/motors/position_times.h"
 #include "device/motors/reply_matcher.h"
-#include "device/motors/stop_debts.h"
 
 namespace ghostforce {
 
@@ -39,25 +39,20 @@ struct HaplyOptions {
   std::vector<HaplyCalibration> calibrations;                  // by serial number
   HaplyCalibration usual = usual_haply_variant().calibration;  // of a board without one
   bool is_virtual = false;                                     // for the report
-  // As FalconOptions has them.
+  // As MotorKeeper::Options; of a virtual one nobody is told that it was left pushing.
   std::shared_ptr<StopDebts> debts{};
   void (*when_left_pushing)(const DeviceSerial& serial) noexcept = nullptr;
 };
 
 class Haply {
  public:
-  static constexpr double look_again_s = 0.5;    // while absent
-  static constexpr double try_again_s = 1.0;     // after a fault
-  static constexpr double soon_s = 0.1;          // after it was unplugged, and while a stop is owed
-  static constexpr double settle_s = 0.1;        // after opening, before the first byte
-  static constexpr double probe_s = 0.15;        // for the answer to the first question; then it is no such board
-  static constexpr double set_up_s = 0.02;       // after a set up, before the next packet
-  static constexpr double stop_s = 0.020;        // without a reply: zeros go out
+  static constexpr double settle_s = 0.1;   // after opening, before the first byte
+  static constexpr double probe_s = 0.15;   // for the answer to the first question; then it is no such board
+  static constexpr double set_up_s = 0.02;  // after a set up, before the next packet
+  static constexpr double stop_s = MotorKeeper::stop_s;  // without a reply: zeros go out
   static constexpr double give_up_s = 1.2;       // without a reply: longer than a board waits for the rest of a packet
   static constexpr double keep_alive_s = 0.003;  // after a reply, if nobody commands anything
   static constexpr double goodbye_s = 0.1;       // for the answers of a board that is let go
-  static constexpr double last_stops_s = 3.0;    // at the end of the program, for a board that is owed a stop
-  static constexpr double last_look_s = 0.5;     // since the last sign of it
   static constexpr double still_s = 0.3;         // before the zero pose is confirmed
   static constexpr double still_deg = 0.5;       // at most in that time
   static constexpr double zero_pose_deg = 3.0;   // from what was set, right after it was
@@ -94,20 +89,21 @@ class Haply {
   // Of the position in the report; empty: unknown, or singular.
   const std::optional<PantographPose>& pose() const noexcept { return pose_; }
   // Of the newest reply that told a position, when it was asked for; 0 before the first.
-  std::int64_t position_time_ns() const noexcept { return position_time_ns_; }
+  std::int64_t position_time_ns() const noexcept { return position_times_.asked_ns(); }
   // When that reply came.
-  std::int64_t position_heard_ns() const noexcept { return position_heard_ns_; }
+  std::int64_t position_heard_ns() const noexcept { return position_times_.heard_ns(); }
   bool is_waiting_for_reply() const noexcept { return phase_ == Phase::exchanging && replies_.is_waiting(); }
   // Lets the board work until then; returns sooner when something has happened, or zeros are due.
   void wait_until(std::int64_t deadline_ns) noexcept;
   SerialPort& port() const noexcept { return port_; }
 
  private:
-  enum class Phase : std::uint8_t { pausing, opening, settling, probing, setting_up, exchanging };
+  enum class Phase : std::uint8_t { closed, settling, probing, setting_up, exchanging };
 
-  double since(std::int64_t then_ns) const noexcept;
+  double since(std::int64_t then_ns) const noexcept { return keeper_.since(then_ns); }
   void enter(Phase phase) noexcept;
-  void opened(LinkFault fault) noexcept;
+  void advance() noexcept;
+  void opened() noexcept;
   void ask() noexcept;
   void probe() noexcept;
   void send_set_up() noexcept;
@@ -115,7 +111,6 @@ class Haply {
   void exchange() noexcept;
   bool take_replies() noexcept;
   void take(const hapi::PerPort<double>& degrees) noexcept;
-  bool believes(const std::array<double, 2>& angles) noexcept;
   void locate(std::int64_t asked_ns) noexcept;
   void follow_stillness() noexcept;
   void judge_zero_pose() noexcept;
@@ -123,33 +118,29 @@ class Haply {
   bool send_command() noexcept;
   void send_zeros() noexcept;
   void forget_home() noexcept;
+  void stop_motors() noexcept;
+  void close(double pause_s) noexcept;
   void end(HaplyFault fault) noexcept;
   std::int64_t stop_ns() const noexcept;
   void note_stop() noexcept;
   void note_zero_answered() noexcept;
-  void note_debts() noexcept;
-  void pay_debts() noexcept;
   void say_goodbye() noexcept;
   void measure_rate() noexcept;
 
-  SerialPort& port_;  // the opener's
-  LinkOpener opener_;
+  SerialPort& port_;  // the keeper's
+  MotorKeeper keeper_;
   HaplyOptions options_;
-  StopDebts& debts_;  // the options'
   HaplyCalibration calibration_;
   HaplyReport report_;
 
-  Phase phase_ = Phase::pausing;
+  Phase phase_ = Phase::closed;
   std::int64_t phase_began_ns_ = 0;
-  double pause_s_ = 0.0;  // until the next look
 
   ReplyReader reader_;
   ReplyMatcher replies_;
   std::array<double, 2> command_{};  // torques of the arms [N·m]
   bool is_command_new_ = false;      // not sent yet
   bool has_answered_ = false;        // this board, as one that speaks hAPI
-  bool is_leaving_ = false;          // nothing but zeros goes out
-  bool may_push_ = false;            // a torque was sent, and no zero that the board has answered since
   bool is_unwritten_ = false;        // the port did not take the last packet,
   bool wants_zero_pose_ = false;     // a person has confirmed it
   int short_replies_ = 0;            // that were the address alone, in a row
@@ -160,23 +151,19 @@ class Haply {
   std::int64_t unwritten_ns_ = 0;    // and the first one since it took one
   std::int64_t sent_ns_ = 0;
   std::int64_t heard_ns_ = 0;
-  std::int64_t awaited_ns_ = 0;          // since then it is to answer
-  std::int64_t zeros_ns_ = 0;            // when zeros went out last, for want of a reply
-  std::optional<std::int64_t> zero_ns_;  // the first zero since the last force; empty: a force was last
+  std::int64_t awaited_ns_ = 0;  // since then it is to answer
+  std::int64_t zeros_ns_ = 0;    // when zeros went out last, for want of a reply
 
   std::optional<PantographPose> pose_;
-  std::array<double, 2> believed_{};  // the newest angles that were believed [rad]
-  std::array<double, 2> odd_{};       // and the newest that were not
-  int odd_replies_ = 0;
-  std::int64_t believed_ns_ = 0;
+  // What no hand does: at 1 m/s, where motors go off, an arm turns by 0.8° per millisecond in the workspace.
+  LeapFilter<std::array<double, 2>> leap_filter_{
+      {.least = 2.0 * radians_per_degree, .per_s = 2000.0 * radians_per_degree, .greatest = 15.0 * radians_per_degree}};
   std::array<double, 2> least_{};  // since the zero pose was confirmed, or the arms were still [rad]
   std::array<double, 2> greatest_{};
   std::array<double, 2> still_least_{};
   std::array<double, 2> still_greatest_{};
   std::int64_t still_ns_ = 0;  // since when they are
-  std::int64_t position_time_ns_ = 0;
-  std::int64_t position_heard_ns_ = 0;
-  std::int64_t lost_position_ns_ = 0;  // since when no position could be found; 0: it is known
+  PositionTimes position_times_;
   ExchangeWindow window_;
 };
 

@@ -20,8 +20,9 @@ constexpr std::array faults{
     HaplyFaultEntry{HaplyFault::kinematics, "kinematics", "Impossible position"},
     HaplyFaultEntry{HaplyFault::overruled, "overruled", "Stopped by the guard"},
     HaplyFaultEntry{HaplyFault::unguarded, "unguarded", "Guard lost"},
+    HaplyFaultEntry{HaplyFault::stop_owed, "stop_owed", "Another board comes first"},
 };
-static_assert(faults.size() == static_cast<std::size_t>(HaplyFault::unguarded) + 1);
+static_assert(faults.size() == static_cast<std::size_t>(HaplyFault::stop_owed) + 1);
 
 // In the order of HaplyState.
 constexpr std::array<std::string_view, 6> state_names{"absent", "opening", "zero_pose", "idle", "active", "fault"};

@@ -37,6 +37,7 @@ enum class HaplyFault : std::uint8_t {
   kinematics,  // the angles belong to no place of the handle
   overruled,   // the guard has stopped the motors in place of this program
   unguarded,   // the guard is gone
+  stop_owed,   // another board, which may still push, is plugged in again and comes first
 };
 
 struct HaplyFaultEntry {

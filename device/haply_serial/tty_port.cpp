@@ -93,7 +93,8 @@ std::vector<Target> possible_targets(const TtyPortOptions& options, const std::v
   return targets;
 }
 
-Target target_of(const TtyPortOptions& options, const StopDebts& owed) {
+// `in_use`: the number of the board that was before.
+Target target_of(const TtyPortOptions& options, const StopDebts& owed, const std::string& in_use) {
   const std::vector<SerialPortFound> ports = list_serial_ports(options.places);
   const auto debt_of = [&owed](const Target& each) { return owed.place_of(device_serial_of(each.serial)); };
   const std::vector<Target> targets = possible_targets(options, ports);
@@ -101,9 +102,12 @@ Target target_of(const TtyPortOptions& options, const StopDebts& owed) {
   if (oldest_debt != targets.end() && debt_of(*oldest_debt) < StopDebts::most) return *oldest_debt;
 
   if (!options.path.empty()) return target_at(options.path, ports);
-  const auto is_known = [](const SerialPortFound& port) { return !port.board.empty(); };
-  if (std::ranges::count_if(ports, is_known) != 1) return {LinkFault::absent};
-  return target_at(std::ranges::find_if(ports, is_known)->path, ports);
+  std::vector<Target> known;
+  for (const SerialPortFound& port : ports) {
+    if (!port.board.empty()) known.push_back(target_at(port.path, ports));
+  }
+  if (known.size() > 1) std::erase_if(known, [&in_use](const Target& each) { return each.serial != in_use; });
+  return known.size() == 1 ? known.front() : Target{LinkFault::absent};
 }
 
 // --- A terminal as a wire ---
@@ -194,7 +198,7 @@ LinkFault TtyPort::open_first(const StopDebts& owed) noexcept {
 }
 
 LinkFault TtyPort::take(const StopDebts& owed) {
-  Target target = target_of(options_, owed);
+  Target target = target_of(options_, owed, in_use_);
   if (target.why_not != LinkFault::none) return target.why_not;
   LinkFault why_not = LinkFault::none;
   const int file = open_terminal(target.node, why_not);
@@ -209,6 +213,7 @@ LinkFault TtyPort::take(const StopDebts& owed) {
   fault_ = LinkFault::none;
   serial_ = std::move(target.serial);
   may_push_ = owed.has(device_serial_of(serial_));
+  if (!may_push_) in_use_ = serial_;
   if (options_.is_guarded) start_guard(target.node);
   discard_input();
   return fault_;

@@ -26,7 +26,8 @@
 namespace ghostforce {
 
 struct TtyPortOptions {
-  std::string path{};         // of the port, or of a link to it; empty: that of the only known board
+  // Of the port, or of a link to it; empty: that of the only known board, or of several the one that was in use.
+  std::string path{};
   bool is_guarded = true;     // false: a simulated board in this process, whose motors end with it
   SerialPortPlaces places{};  // where it looks for boards and their serial numbers
 };
@@ -74,6 +75,7 @@ class TtyPort final : public SerialPort {
   MotorGuard guard_;
   LinkFault fault_ = LinkFault::absent;
   std::string serial_;
+  std::string in_use_;  // the number of the last one that was opened for more than a stop that it was owed
   bool may_push_ = false;
   dev_t device_ = 0;  // of the port that was opened
 

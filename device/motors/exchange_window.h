@@ -33,6 +33,17 @@ class ExchangeWindow {
   // It was waited for so long, and given up.
   void add_lost(double waited_s) noexcept { worst_s_ = std::max(worst_s_, waited_s); }
 
+  // What a driver's report says of the window that was. Whether it is over; then the next one begins.
+  template <typename Report>
+  bool tell(Report& report, std::int64_t now_ns) noexcept {
+    const auto measured = next(now_ns);
+    if (!measured) return false;
+    report.exchange_hz = measured->exchange_hz;
+    report.exchange_s = measured->exchange_s;
+    report.worst_exchange_s = measured->worst_exchange_s;
+    return true;
+  }
+
   // Where it is over, the next one begins.
   std::optional<Measured> next(std::int64_t now_ns) noexcept {
     const double window_s = static_cast<double>(now_ns - began_ns_) * 1e-9;

@@ -37,6 +37,8 @@ class ReplyMatcher {
     if (pause_until_ns_ != 0) reset();
     return true;
   }
+  // Off does not wait for a reply.
+  bool may_send(std::int64_t now_ns, bool ends_force) noexcept { return may_send(now_ns) || ends_force; }
 
   // The newest command has waited long enough, and asking again leaves no doubt that could not be resolved.
   bool may_ask_again(std::int64_t now_ns) const noexcept {

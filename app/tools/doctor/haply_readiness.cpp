@@ -75,8 +75,11 @@ constexpr std::array haply_faults{
                     "Close other busy programs. The program opens the port again by itself."},
     HaplyFaultWords{HaplyFault::unguarded, ReadinessStep::free, "The guard of the motors has ended.",
                     "The program opens the port again by itself, with a new guard."},
+    HaplyFaultWords{HaplyFault::stop_owed, ReadinessStep::firmware,
+                    "Another board, which may still push, is plugged in again.",
+                    "Wait: the program stops its motors first, and then goes on with the board that you chose."},
 };
-static_assert(haply_faults.size() == static_cast<std::size_t>(HaplyFault::unguarded) + 1);
+static_assert(haply_faults.size() == static_cast<std::size_t>(HaplyFault::stop_owed) + 1);
 
 const HaplyFaultWords& readiness_fault(HaplyFault fault) noexcept {
   return haply_faults[static_cast<std::size_t>(fault)];

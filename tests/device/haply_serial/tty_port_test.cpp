@@ -137,6 +137,26 @@ TEST(TtyPort, ChoosesNoneOfSeveralBoards) {
   EXPECT_EQ(port.open(), LinkFault::absent);
 }
 
+// A board that is plugged in beside it changes nothing.
+TEST(TtyPort, GoesOnWithTheBoardThatWasInUse) {
+  const PseudoTerminal one;
+  const PseudoTerminal two;
+  const MockSystem system;
+  TtyPort port({.is_guarded = false, .places = system.places()});
+  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  ASSERT_EQ(port.open(), LinkFault::none);
+  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_EQ(port.serial(), "TWO");
+  // That one is opened only for what it is owed.
+  StopDebts owed;
+  owed.add(device_serial_of("ONE"));
+  ASSERT_EQ(port.open_first(owed), LinkFault::none);
+  EXPECT_EQ(port.serial(), "ONE");
+  ASSERT_EQ(port.open(), LinkFault::none);
+  EXPECT_EQ(port.serial(), "TWO");
+}
+
 // --- Debts ---
 
 TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
