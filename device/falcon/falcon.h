@@ -157,7 +157,7 @@ class Falcon {
   MotorNumbers greatest_{};
   // What no hand does: an arm turns by less. At 1 m/s, where motors go off, it is 63 counts per millisecond where the
   // geometry is worst; and a wrong digit of the third place makes more than the greatest reach.
-  LeapFilter<MotorNumbers> leap_filter_{{.least = 40.0, .per_s = 65e3, .greatest = 250.0}};
+  LeapFilter<MotorNumbers> leap_filter_{{.least = 40.0, .per_s = 65e3, .per_s_squared = 0.0, .greatest = 250.0}};
   PositionTimes position_times_;
   ExchangeWindow window_;
 };

@@ -16,6 +16,8 @@ constexpr int short_replies_to_believe = 2;
 constexpr double moved_rad = 3.0 * radians_per_degree;
 // In a row without an answer. The published firmwares allocate at each and free nothing.
 constexpr int most_set_ups = 2;
+// In a row, answered by more than a reply.
+constexpr int most_unclear_probes = 2;
 // No answer was ever seen to come later [s].
 constexpr double quiet_s = 0.2;
 // Replies so late, so many in a row, make a wall that shakes the hand.
@@ -118,7 +120,7 @@ void Haply::opened() noexcept {
   report_.exchanges = report_.lost_exchanges = 0;
   report_.state = HaplyState::opening;
   forget_home();
-  set_ups_ = 0;
+  set_ups_ = unclear_probes_ = 0;
   // Somebody else's torque may stand: zeros do no harm before the board is known.
   if (keeper_.may_push()) port_.write(hapi::zero_exchange());
   enter(Phase::settling);
@@ -139,10 +141,17 @@ void Haply::ask() noexcept {
   enter(Phase::probing);
 }
 
+// What sends back what it is sent holds a reply, too, but after the command's first byte. A board may do so once, with
+// what it was asked before.
 void Haply::probe() noexcept {
   std::array<std::uint8_t, 64> bytes;
+  const std::uint64_t discarded_before = reader_.discarded_bytes();
   while (const std::size_t count = port_.read(bytes)) {
-    if (!reader_.take(std::span(bytes).first(count))) continue;
+    const bool is_reply = reader_.take(std::span(bytes).first(count)).has_value();
+    if (reader_.discarded_bytes() != discarded_before) {
+      return ++unclear_probes_ < most_unclear_probes ? ask() : end(HaplyFault::no_board);
+    }
+    if (!is_reply) continue;
     report_.was_set_up = true;
     note_zero_answered();
     return keeper_.has_paid() ? close(0.0) : begin_exchanging();
@@ -280,7 +289,8 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
     angles[arm] = degrees[calibration_.arms[arm].encoder_port - 1U] * radians_per_degree;
   }
   using Verdict = LeapFilter<std::array<double, 2>>::Verdict;
-  const Verdict verdict = leap_filter_.add(angles, heard_ns_);
+  // By when they were asked for: late replies come together, and are not of one moment.
+  const Verdict verdict = leap_filter_.add(angles, *asked_ns);
   if (verdict == Verdict::odd) return;
   // An encoder that leaps farther than a hand can move an arm has lost its count.
   if (verdict == Verdict::leapt) lose_count();

@@ -146,6 +146,7 @@ class Haply {
   int short_replies_ = 0;            // that were the address alone, in a row
   int slow_replies_ = 0;             // in a row
   int set_ups_ = 0;                  // since the last answer to a zero
+  int unclear_probes_ = 0;           // in a row
   int in_flight_ = 0;                // exchanges that may still be answered
   int in_flight_before_zero_ = 0;    // of them, how many are older than the first zero
   std::int64_t unwritten_ns_ = 0;    // and the first one since it took one
@@ -155,9 +156,12 @@ class Haply {
   std::int64_t zeros_ns_ = 0;    // when zeros went out last, for want of a reply
 
   std::optional<PantographPose> pose_;
-  // What no hand does: at 1 m/s, where motors go off, an arm turns by 0.8° per millisecond in the workspace.
-  LeapFilter<std::array<double, 2>> leap_filter_{
-      {.least = 2.0 * radians_per_degree, .per_s = 2000.0 * radians_per_degree, .greatest = 15.0 * radians_per_degree}};
+  // What no hand does. At 1 m/s, where motors go off, an arm turns by 0.8° per millisecond in the workspace; one that is
+  // stopped from twice that is believed, and so are 500 m/s².
+  LeapFilter<std::array<double, 2>> leap_filter_{{.least = 1.5 * radians_per_degree,
+                                                  .per_s = 0.0,
+                                                  .per_s_squared = 4e5 * radians_per_degree,
+                                                  .greatest = 15.0 * radians_per_degree}};
   std::array<double, 2> least_{};  // since the zero pose was confirmed, or the arms were still [rad]
   std::array<double, 2> greatest_{};
   std::array<double, 2> still_least_{};

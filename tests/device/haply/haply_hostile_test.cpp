@@ -178,6 +178,31 @@ TEST(HaplyHostile, APacketTornAnywhereEndsTheForceOrChangesNothing) {
   }
 }
 
+// An encoder that loses counts while its motor pushes, a few or many: the place of the wall is another one then.
+TEST(HaplyHostile, AnyLeapOfAnEncoderEndsTheForceAndNeedsTheZeroPoseAnew) {
+  for (const double degrees : {2.0, -2.0, 3.0, -3.5, 5.0, -5.0, 6.5, 8.0, -12.0, 20.0, 90.0}) {
+    SCOPED_TRACE(degrees);
+    BareHaply haply;
+    ASSERT_TRUE(haply.is_ready());
+    for (int i = 0; i < 20; ++i) haply.tick({0.5, 0.5}, true);
+    ASSERT_TRUE(haply.pushes());
+    InjectedHaplyFault leap;
+    leap.encoder_jump_degrees = degrees;
+    haply.port->board().inject(leap);
+    const std::int64_t leapt_ns = haply.port->now_ns();
+    std::int64_t last_pushing_ns = leapt_ns;
+    haply.port->on_step = [&] {
+      if (haply.pushes()) last_pushing_ns = haply.port->now_ns();
+    };
+    for (int i = 0; i < 100; ++i) haply.tick({0.5, 0.5}, true);
+    haply.port->on_step = nullptr;
+    EXPECT_LE(1e-6 * static_cast<double>(last_pushing_ns - leapt_ns), 10.0);
+    EXPECT_FALSE(haply.pushes());
+    EXPECT_EQ(haply.driver->report().state, HaplyState::zero_pose);
+    EXPECT_EQ(haply.driver->report().fault, HaplyFault::lost_count);
+  }
+}
+
 // One packet is misread: the next one puts it right, a millisecond or two later.
 TEST(HaplyHostile, ATorqueThatIsMisreadStandsForAnExchange) {
   BareHaply haply;

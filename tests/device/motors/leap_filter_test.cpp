@@ -18,13 +18,13 @@ using Verdict = Filter::Verdict;
 
 // 10 counts, 2 more with each millisecond, 50 at most.
 Filter at_rest() {
-  Filter filter({.least = 10.0, .per_s = 2000.0, .greatest = 50.0});
+  Filter filter({.least = 10.0, .per_s = 2000.0, .per_s_squared = 0.0, .greatest = 50.0});
   filter.add({100, 200}, 1000 * ms);
   return filter;
 }
 
 TEST(LeapFilter, TheFirstIsBelieved) {
-  Filter filter({.least = 10.0, .per_s = 2000.0, .greatest = 50.0});
+  Filter filter({.least = 10.0, .per_s = 2000.0, .per_s_squared = 0.0, .greatest = 50.0});
   EXPECT_EQ(filter.add({3000, -3000}, 1000 * ms), Verdict::believed);
 }
 
@@ -51,6 +51,30 @@ TEST(LeapFilter, ThreeThatSayTheSameAreBelieved) {
   EXPECT_EQ(filter.add({905, 200}, 1003 * ms), Verdict::odd);
   EXPECT_EQ(filter.add({910, 200}, 1004 * ms), Verdict::leapt);
   EXPECT_EQ(filter.add({911, 200}, 1005 * ms), Verdict::believed);
+}
+
+// After 4 ms without a believed reading, 18 counts could be a motion.
+TEST(LeapFilter, ALeapDoesNotBecomeAMotionWithTime) {
+  Filter filter = at_rest();
+  EXPECT_EQ(filter.add({115, 200}, 1001 * ms), Verdict::odd);
+  EXPECT_EQ(filter.add({115, 200}, 1004 * ms), Verdict::odd);
+  EXPECT_EQ(filter.add({116, 200}, 1005 * ms), Verdict::leapt);
+}
+
+TEST(LeapFilter, AMotionGoesOn) {
+  const auto begun = [] {
+    Filter filter({.least = 10.0, .per_s = 0.0, .per_s_squared = 2e6, .greatest = 50.0});
+    filter.add({0, 0}, 1000 * ms);
+    filter.add({8, 0}, 1001 * ms);
+    filter.add({16, 0}, 1002 * ms);
+    return filter;
+  };
+  EXPECT_EQ(begun().add({35, 0}, 1003 * ms), Verdict::believed) << "11 more than at the same speed";
+  EXPECT_EQ(begun().add({36, 0}, 1003 * ms), Verdict::odd);
+  EXPECT_EQ(begun().add({16, 0}, 1003 * ms), Verdict::believed) << "it stops";
+  EXPECT_EQ(begun().add({4, 0}, 1003 * ms), Verdict::odd) << "it does not turn round at once";
+  EXPECT_EQ(begun().add({54, 0}, 1006 * ms), Verdict::believed) << "it may have become faster";
+  EXPECT_EQ(begun().add({100, 0}, 1500 * ms), Verdict::believed) << "what it did half a second ago says nothing";
 }
 
 TEST(LeapFilter, AfterAResetWhateverComesIsBelieved) {
