@@ -143,7 +143,7 @@ std::optional<Vector<3>> FalconInput::way_of_leg(std::size_t leg) const noexcept
   return glm::normalize(glm::row(*jacobian, static_cast<glm::length_t>(leg)));
 }
 
-void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
+Vector<2> FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
   if (is_armed != is_armed_) {
     is_armed_ = is_armed;
     encoder_watch_.reset();
@@ -162,6 +162,7 @@ void FalconInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
     on_handle = glm::dot(force, along) / glm::dot(along, along) * pushed_way_;
   }
   falcon_.set_force(on_handle, is_armed);
+  return force;
 }
 
 double FalconInput::force_uncertainty() const noexcept {

@@ -85,7 +85,7 @@ class FalconInput : public Input, public HapticDevice {
   HandleReading read() noexcept override;
   double force_at_handle() const noexcept override { return 1.0 / falcon_.calibration().scale; }
   void set_force_limit(double limit) noexcept override { motor_check_.set_force_limit(limit); }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override;
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept override;
   double force_uncertainty() const noexcept override;
   void shut_down() noexcept override;
 

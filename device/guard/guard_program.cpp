@@ -28,6 +28,8 @@ constexpr int easy_ms = 4;
 // Between two attempts to stop motors [ms].
 constexpr int attempt_pause_ms = 5;
 constexpr int enough_stops = 10;
+// A device that is only waiting for the rest of a packet has it then.
+constexpr int stops_before_last = 2;
 // For so long a guard whose program is gone keeps trying [ns].
 constexpr std::int64_t insist_ns = 5'000'000'000;
 
@@ -129,6 +131,7 @@ class Guard {
     for (;;) {
       if (set_up_and_stop(own_) || set_up_and_stop(inherited_)) ++stops;
       page_.state.store(stops >= enough_stops ? GuardState::stopped : GuardState::failing, std::memory_order_release);
+      if (stops == stops_before_last) send_last();
       if (stops >= enough_stops) break;
       const bool program_is_gone = wait(attempt_pause_ms);
       if (page_.has_ended.load() || (program_is_gone && monotonic_ns() - began_ns > insist_ns)) return;
@@ -162,6 +165,12 @@ class Guard {
       return write(wire, page_.orders.stop.data(), page_.orders.stop_size) == page_.orders.stop_size;
     }
     return usb_node::send(wire, page_.orders.out_endpoint, {page_.orders.stop.data(), page_.orders.stop_size});
+  }
+
+  void send_last() noexcept {
+    const int wire = own_ >= 0 ? own_ : inherited_;
+    if (is_serial()) [[maybe_unused]]
+      const ssize_t ignored = write(wire, page_.orders.last.data(), page_.orders.last_size);
   }
 
   GuardMemory& page_;

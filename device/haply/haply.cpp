@@ -366,17 +366,19 @@ void Haply::confirm_zero_pose() noexcept {
   if (phase_ == Phase::exchanging && report_.state != HaplyState::active) wants_zero_pose_ = true;
 }
 
-void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
-  if (phase_ != Phase::exchanging) return;
+Vector<2> Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
+  if (phase_ != Phase::exchanging) return Vector<2>(0.0);
   if (!report_.is_readable()) {
     is_command_new_ = true;  // the board is asked as often as it would be with a force
-    return;
+    return Vector<2>(0.0);
   }
   report_.state = is_armed ? HaplyState::active : HaplyState::idle;
   command_ = {};
   report_.is_saturated = false;
+  Vector<2> asked(0.0);
   if (is_armed && pose_ && std::isfinite(force.x) && std::isfinite(force.y)) {
-    std::array<double, 2> torques = torques_for(*pose_, report_.workspace_share * force);
+    asked = report_.workspace_share * force;
+    std::array<double, 2> torques = torques_for(*pose_, asked);
     double excess = 1.0;
     for (std::size_t arm = 0; arm < 2; ++arm) {
       const HaplyArm& known = calibration_.arms[arm];
@@ -388,11 +390,13 @@ void Haply::set_force(const Vector<2>& force, bool is_armed) noexcept {
     // Both by the same share: one alone would turn the force.
     report_.is_saturated = excess > 1.0;
     for (double& torque : torques) torque /= excess;
+    asked /= excess;
     command_ = torques;
   }
   is_command_new_ = true;
   const bool ends_force = !is_armed && report_.torques != std::array<double, 2>{};
   if (replies_.may_send(port_.now_ns(), ends_force)) send_command();
+  return asked;
 }
 
 bool Haply::send_command() noexcept {

@@ -79,7 +79,7 @@ class Haply {
 
   // What the motors are to do, from now until the next call: force on the hand, in the device's frame [N]. Only has an
   // effect in idle and active.
-  void set_force(const Vector<2>& force, bool is_armed) noexcept;
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept;
 
   // Turns the motors off and tells the board; waits for its answers, goodbye_s at most.
   void shut_down() noexcept;

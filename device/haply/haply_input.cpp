@@ -235,7 +235,7 @@ void HaplyInput::estimate_heat(std::int64_t now_ns) noexcept {
   }
 }
 
-void HaplyInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
+Vector<2> HaplyInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
   if (is_armed != is_armed_) {
     is_armed_ = is_armed;
     for (ArmWatch& arm : arm_watches_) arm.watch.reset();
@@ -246,7 +246,7 @@ void HaplyInput::set_force(const Vector<2>& force, bool is_armed) noexcept {
     }
   }
   standing_ = is_armed ? force - reading_.probe : Vector<2>(0.0);
-  haply_.set_force(HaplyPlane::turned(force), is_armed);
+  return HaplyPlane::turned(haply_.set_force(HaplyPlane::turned(force), is_armed));
 }
 
 double HaplyInput::force_uncertainty() const noexcept {

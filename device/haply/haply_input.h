@@ -60,7 +60,7 @@ class HaplyInput : public Input, public HapticDevice {
   HandleReading read() noexcept override;
   double force_at_handle() const noexcept override { return 1.0 / haply_.calibration().scale; }
   void set_force_limit(double limit) noexcept override { force_limit_ = limit; }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override;
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept override;
   double force_uncertainty() const noexcept override;
   void shut_down() noexcept override;
 

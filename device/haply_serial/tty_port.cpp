@@ -226,6 +226,10 @@ void TtyPort::start_guard(const std::string& node) noexcept {
   const hapi::ExchangePacket stop = hapi::zero_exchange();
   std::ranges::copy(stop, orders.stop.begin());
   orders.stop_size = static_cast<std::uint8_t>(stop.size());
+  // Which way and how finely it counts does not matter: whoever uses the board next sets it up anew.
+  const hapi::SetUpPacket set_up = hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}});
+  std::ranges::copy(set_up, orders.last.begin());
+  orders.last_size = static_cast<std::uint8_t>(set_up.size());
   constexpr int attempts = 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     if (guard_.start(descriptor_, node, orders, may_push_)) return;

@@ -68,8 +68,8 @@ class HapticDevice {
   virtual void set_force_limit(double /*limit*/) noexcept {}
 
   // Drives the motors: the force at the handle, in the plane [N]. It acts until the next call. `is_armed` false: motors
-  // off, whatever the force.
-  virtual void set_force(const Vector<2>& force, bool is_armed) noexcept = 0;
+  // off, whatever the force. Returns what of it they are asked for: less where one of them can give no more.
+  virtual Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept = 0;
 
   // How much stronger the true force may be than the one asked for, because the motors are not known well; 1 or more.
   virtual double force_uncertainty() const noexcept = 0;

@@ -38,6 +38,9 @@ struct GuardOrders {
   // Zero force.
   std::array<std::uint8_t, most_bytes> stop{};
   std::uint8_t stop_size = 0;
+  // Once, after that: what ends a force of a device that no longer knows the program's address.
+  std::array<std::uint8_t, most_bytes> last{};
+  std::uint8_t last_size = 0;
 };
 
 enum class GuardState : std::uint8_t {

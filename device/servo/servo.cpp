@@ -302,7 +302,7 @@ void Servo::drive_motors() noexcept {
     motors.sent = Vector<2>(0.0);
     motors.is_saturated = false;
   }
-  device_->set_force(motors.sent, safety_.is_armed());
+  motors.sent = device_->set_force(motors.sent, safety_.is_armed());
   motors.state = safety_.state();
   motors.reason = safety_.reason();
   motors.last_reason = safety_.last_reason();

@@ -36,14 +36,14 @@ struct BareHaply {
   }
 
   // A millisecond, in which it is asked for this force.
-  void tick(const Vector<2>& force, bool is_armed) {
+  Vector<2> tick(const Vector<2>& force, bool is_armed) {
     const std::int64_t end_ns = port->now_ns() + 1'000'000;
     while (port->now_ns() < end_ns) {
       driver->update();
       driver->wait_until(end_ns);
     }
     driver->update();
-    driver->set_force(force, is_armed);
+    return driver->set_force(force, is_armed);
   }
   void idle(double seconds) {
     for (double t = 0.0; t < seconds; t += 0.001) tick(Vector<2>(0.0), false);
@@ -91,12 +91,14 @@ TEST(HaplyHostile, BothTorquesAreShortenedTogether) {
   for (int i = 0; i < 64; ++i) {
     const double angle = 0.1 * i;
     const Vector<2> force = 0.1 * std::pow(1.1, i) * Vector<2>(std::cos(angle), std::sin(angle));
-    haply.tick(force, true);
+    const Vector<2> asked = haply.tick(force, true);
     const auto sent = haply.driver->report().torques;
+    const auto of_asked = torques_for(*haply.driver->pose(), asked);
     const auto wanted = torques_for(*haply.driver->pose(), force);
     saturated += haply.driver->report().is_saturated ? 1 : 0;
     const double greatest = std::max(std::abs(sent[0]), std::abs(sent[1]));
     EXPECT_LE(greatest, hapi::greatest_torque * (1.0 + 1e-12));
+    for (const std::size_t arm : {0U, 1U}) EXPECT_NEAR(of_asked[arm], sent[arm], 1e-6) << "what is recorded is what is sent";
     if (haply.driver->report().is_saturated) {
       EXPECT_NEAR(greatest, hapi::greatest_torque, 1e-12);
     }

@@ -44,6 +44,17 @@ Bytes stops(std::size_t count) {
   return all;
 }
 
+// What a guard sends: zeros, and among them a set up, which ends the force of a board that has forgotten its address.
+bool is_of_guard(const Bytes& bytes, std::size_t least_stops) {
+  const Bytes set_up = bytes_of(hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}}));
+  const auto found = std::ranges::search(bytes, set_up);
+  if (found.empty()) return false;
+  Bytes rest(bytes.begin(), found.begin());
+  rest.insert(rest.end(), found.end(), bytes.end());
+  const std::size_t count = rest.size() / stop().size();
+  return count >= least_stops && rest == stops(count);
+}
+
 Bytes every_byte() {
   Bytes bytes(256);
   std::iota(bytes.begin(), bytes.end(), std::uint8_t{0});
@@ -331,7 +342,7 @@ TEST(TtyPort, TheGuardOverrulesAProgramThatStandsStill) {
   TtyPort port({.path = terminal.path()});
   ASSERT_EQ(port.open(), LinkFault::none);
   port.set_may_push(true);
-  EXPECT_EQ(terminal.receive(stops(10).size()), stops(10));
+  EXPECT_TRUE(is_of_guard(terminal.receive(stops(10).size() + hapi::SetUpPacket{}.size()), 10));
   EXPECT_FALSE(port.write(push()));
   EXPECT_EQ(port.fault(), LinkFault::overruled);
   EXPECT_FALSE(port.is_guarded());
@@ -357,9 +368,7 @@ TEST(TtyPort, TheGuardStopsMotorsOfAProgramThatWasKilled) {
   kill(program, SIGKILL);
   waitpid(program, nullptr, 0);
   const Bytes after = terminal.receive_all();
-  const std::size_t count = after.size() / stop().size();
-  EXPECT_GE(count, 10U);
-  EXPECT_EQ(after, stops(count));
+  EXPECT_TRUE(is_of_guard(after, 10));
 }
 
 }  // namespace

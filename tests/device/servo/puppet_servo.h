@@ -28,9 +28,10 @@ class PuppetInput final : public Input, public HapticDevice {
   }
   HandleReading read() noexcept override { return reading; }
   double force_at_handle() const noexcept override { return gain; }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept override {
     pushed = force;
     armed = is_armed;
+    return force;
   }
   double force_uncertainty() const noexcept override { return uncertainty; }
   void shut_down() noexcept override { pushed = Vector<2>(0.0), armed = false, finished = true; }

@@ -183,7 +183,7 @@ class LaggingInput final : public Input, public HapticDevice {
     return {.is_known = true, .time_ns = now, .is_ready = true, .is_healthy = true};
   }
   double force_at_handle() const noexcept override { return 1.0; }
-  void set_force(const Vector<2>& /*force*/, bool /*is_armed*/) noexcept override {}
+  Vector<2> set_force(const Vector<2>& force, bool /*is_armed*/) noexcept override { return force; }
   double force_uncertainty() const noexcept override { return 1.0; }
   void shut_down() noexcept override { ++shut_downs; }
 

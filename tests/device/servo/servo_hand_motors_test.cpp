@@ -44,9 +44,10 @@ class HeldHandle final : public Input, public HapticDevice {
             .is_healthy = true};
   }
   double force_at_handle() const noexcept override { return gain; }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept override {
     pushed = force;
     armed = is_armed;
+    return force;
   }
   double force_uncertainty() const noexcept override { return 1.0; }
   void shut_down() noexcept override { armed = false; }

@@ -187,10 +187,11 @@ class SpoiledFalcon final : public Input, public HapticDevice {
     return before_ = reading;
   }
   double force_at_handle() const noexcept override { return falcon_.force_at_handle(); }
-  void set_force(const Vector<2>& force, bool is_armed) noexcept override {
+  Vector<2> set_force(const Vector<2>& force, bool is_armed) noexcept override {
     pushed = force;
     armed = is_armed;
     falcon_.set_force(force, is_armed);
+    return force;
   }
   double force_uncertainty() const noexcept override { return falcon_.force_uncertainty(); }
   void shut_down() noexcept override { falcon_.shut_down(); }
