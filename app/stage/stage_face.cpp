@@ -160,7 +160,9 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     if (loop.motors.zero_pose_moved) return std::string(stage_language(session.language).device.zero_pose_moved);
     return filled(stage_language(session.language).device.zero_pose, front_keys().device_status.shown);
   }
-  if (loop.motors.has_motors && !loop.motors.is_ready && step != loop.readiness.end()) {
+  // Motors that are on have been found ready; arming tells by itself what it waits for.
+  const bool is_off = loop.motors.state == SafetyState::off;
+  if (loop.motors.has_motors && is_off && !loop.motors.is_ready && step != loop.readiness.end()) {
     return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors)
                                : filled(words.device_not_ready, front_keys().device_status.shown);
   }
