@@ -201,6 +201,7 @@ TEST(DirectionTest, BeginsATrainAnewAfterAHole) {
 TEST(DirectionTest, TakesNoRightMotorForAWrongOne) {
   HandRandom random(20261129);
   const int hands = is_long_run() ? 20000 : 400;
+  int done = 0;
   for (int i = 0; i < hands; ++i) {
     Hand hand = any_hand(random, 20.0, 1000.0);
     if (i % 4 == 1) add_moves(hand, 0.8, random);
@@ -209,9 +210,14 @@ TEST(DirectionTest, TakesNoRightMotorForAWrongOne) {
     if (i % 4 == 3) hand.tremor_and_drift.tremor_hz = {3.0, 7.0};
     if (i % 4 == 3) hand.tremor_and_drift.tremor_rms = random.over_decades(50e-6, 1e-3);
     const Result result = test_in(hand);
-    EXPECT_TRUE(result.is_done) << i << ": " << hand.stiffness << " N/m, " << hand.mass << " kg";
+    EXPECT_FALSE(has_failed(result.finding.verdict))
+        << static_cast<int>(result.finding.verdict) << ", " << i << ": " << hand.stiffness << " N/m, " << hand.mass
+        << " kg";
+    done += result.is_done ? 1 : 0;
     EXPECT_LE(result.greatest_force, 0.25);
   }
+  // Some never hold still.
+  EXPECT_GT(done, 95 * hands / 100);
 }
 
 TEST(DirectionTest, FindsAWrongMotorInMostHandsThatHoldLoosely) {
