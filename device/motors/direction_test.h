@@ -36,7 +36,7 @@ class DirectionTest {
   static constexpr double greatest_torque = 0.015;  // [N·m]
   static constexpr double greatest_force = 0.23;    // at the handle [N]
   static constexpr int trains_to_tell = 3;          // that a motor is wrong
-  static constexpr int crossed_rounds_to_tell = 2;  // of all legs, that two motors move each other's
+  static constexpr int crossed_rounds_to_tell = 3;  // of all legs, that two motors move each other's
 
   // `legs`: 2 or 3, of a device with so many motors.
   explicit DirectionTest(std::size_t legs) noexcept : legs_(legs) {}

@@ -26,10 +26,10 @@ HaplyCalibration with_flipped_motor(const DeviceSerial& serial, std::span<const 
 
 struct HaplyMotorFlip {
   std::size_t motor = 0;  // 0 or 1
-  std::string port;       // path; empty: that of the only known board
-  std::string variant;    // as above
-  std::vector<SerialPortFound> ports;
-  std::vector<HaplyCalibration> calibrations;
+  std::string port{};     // path; empty: that of the only known board
+  std::string variant{};  // as above
+  std::vector<SerialPortFound> ports{};
+  std::vector<HaplyCalibration> calibrations{};
 };
 
 // Does it, and returns what was done, as sentences.
