@@ -26,6 +26,7 @@
 #include "app/tools/doctor/diagnosis.h"
 #include "app/tools/doctor/haply_diagnosis.h"
 #include "app/tools/doctor/haply_measure_command.h"
+#include "app/tools/doctor/haply_motor_flip.h"
 #include "app/tools/doctor/measure_command.h"
 #include "app/tools/doctor/readiness.h"
 #include "app/tools/doctor/udev_rule.h"
@@ -51,6 +52,7 @@ struct DoctorOptions {
   bool install_udev = false;
   bool is_udev_announced = false;
   bool measure = false;
+  std::string flip_motor;  // "1" or "2"; empty: none
   std::string report = "-";
   std::optional<std::string> calibration;
 };
@@ -149,6 +151,21 @@ int measure_haply(const DoctorOptions& options) {
                                     .calibration = options.calibration});
 }
 
+int flip_motor(const DoctorOptions& options) {
+  if (options.input != "haply") {
+    throw Failure(ExitCode::wrong_call,
+                  fmt::format("--flip-motor is about a Haply that is plugged in; write: ghostforce doctor haply "
+                              "--flip-motor {}",
+                              options.flip_motor));
+  }
+  print(flip_haply_motor({.motor = options.flip_motor == "1" ? 0U : 1U,
+                          .port = options.devices.haply_port,
+                          .variant = options.devices.haply_variant,
+                          .ports = list_serial_ports(),
+                          .calibrations = options.devices.input_options({}).haply.calibrations}));
+  return static_cast<int>(ExitCode::done);
+}
+
 void refuse_results_without_measuring(const DoctorOptions& options) {
   if (!options.measure && (options.calibration || options.report != "-"))
     throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
@@ -223,6 +240,7 @@ int doctor(const DoctorOptions& options) {
   }
   options.devices.refuse_misbehaviour_of_others(options.input);
   refuse_results_without_measuring(options);
+  if (!options.flip_motor.empty()) return flip_motor(options);
   const auto devices = examined_devices();
   const ExaminedDevice& device = *std::ranges::find(devices, options.input, &ExaminedDevice::name);
   return options.measure ? device.measure(options) : device.examine(options);
@@ -258,6 +276,14 @@ std::function<int()> attach_doctor(CLI::App& command, FileOptions& files) {
       "Measure the device with a ruler and a weight; takes ten minutes, motors below 2 N; see docs/falcon.md and "
       "docs/haply.md");
   measure->excludes(json)->excludes(install)->excludes(wait);
+  add_option(command, "--flip-motor N", options->flip_motor,
+             "With haply: turn round the sign of motor 1 or 2 in the board's calibration file, where the check of the "
+             "motors says that it pushes the wrong way; see docs/haply.md")
+      ->check(one_of(std::vector<std::string_view>{"1", "2"}))
+      ->excludes(json)
+      ->excludes(install)
+      ->excludes(wait)
+      ->excludes(measure);
   files.writes(add_option(command, "-o,--output REPORT.md", options->report,
                           "With --measure: where the report goes; default: -, standard output"));
   files.writes(add_option(command, "--calibration FILE.toml", options->calibration,

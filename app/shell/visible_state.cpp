@@ -46,16 +46,16 @@ void add_panel_words(const Session& session, const LoopReading& reading, std::st
 std::string shown_words(const Session& session, const LoopReading& reading) {
   const MotorReport& motors = reading.motors;
   const auto step = std::ranges::find_if(reading.readiness, &ReadinessStepState::is_current);
-  std::string words =
-      fmt::format("{}{}{}{}{}{}{}{}{} {} {}{}{} {} {}", reading.diverged, motors.has_motors, motors.has_focus,
-                  motors.is_checking, motors.is_ready,
-                  motors.waits_for_zero_pose && motors.zero_pose_moved ? 2
-                  : motors.waits_for_zero_pose                         ? 1
-                                                                       : 0,
-                  motors.may_still_push, motors.is_saturated || motors.motor_is_at_limit,
-                  static_cast<int>(motors.state), static_cast<int>(motors.reason), static_cast<int>(motors.obstacle),
-                  step != reading.readiness.end() ? step->title : std::string_view(), reading.recording.is_on,
-                  reading.recording.path, reading.circle ? reading.circle->turns : 0);
+  std::string words = fmt::format(
+      "{}{}{}{}{}{}{}{}{} {} {}{}{}{}{} {} {}", reading.diverged, motors.has_motors, motors.has_focus,
+      motors.is_checking, motors.is_ready,
+      motors.waits_for_zero_pose && motors.zero_pose_moved ? 2
+      : motors.waits_for_zero_pose                         ? 1
+                                                           : 0,
+      motors.may_still_push, motors.is_saturated || motors.motor_is_at_limit, static_cast<int>(motors.state),
+      static_cast<int>(motors.reason), static_cast<int>(motors.obstacle), static_cast<int>(motors.finding.verdict),
+      motors.finding.motor, step != reading.readiness.end() ? step->title : std::string_view(), reading.recording.is_on,
+      reading.recording.path, reading.circle ? reading.circle->turns : 0);
   words += reading.shader_problem;
   if (reading.replay) words += fmt::format(" {}/{}", reading.replay->done, reading.replay->all);
   if (const auto& lesson = session.lesson) {

@@ -144,6 +144,26 @@ StageKeys keys_in(const Session& session) {
   return keys;
 }
 
+// What the check of the motors has found, and where to read on; empty: nothing.
+std::string finding_words(const MotorReport& motors, const StageLanguage::Device& words) {
+  if (motors.reason != OffReason::calibration) return {};
+  const std::string_view status_key = front_keys().device_status.shown;
+  switch (motors.finding.verdict) {
+    case MotorVerdict::none:
+    case MotorVerdict::right:
+      return {};
+    case MotorVerdict::wrong_way:
+      return filled(words.motor_wrong_way, motors.finding.motor + 1, status_key);
+    case MotorVerdict::crossed:
+      return filled(words.motors_crossed, status_key);
+    case MotorVerdict::silent:
+      return filled(words.motor_silent, motors.finding.motor + 1, status_key);
+    case MotorVerdict::undecided:
+      return std::string(words.motors_undecided);
+  }
+  return {};
+}
+
 // What is not as it should be comes before what there is to see.
 std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
@@ -160,6 +180,8 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     if (loop.motors.zero_pose_moved) return std::string(stage_language(session.language).device.zero_pose_moved);
     return filled(stage_language(session.language).device.zero_pose, front_keys().device_status.shown);
   }
+  const std::string finding = finding_words(loop.motors, stage_language(session.language).device);
+  if (!finding.empty()) return session.kiosk_visit ? std::string(words.device_not_ready_for_visitors) : finding;
   // Motors that are on have been found ready; arming tells by itself what it waits for.
   const bool is_off = loop.motors.state == SafetyState::off;
   if (loop.motors.has_motors && is_off && !loop.motors.is_ready && step != loop.readiness.end()) {

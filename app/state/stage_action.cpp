@@ -93,6 +93,14 @@ std::string motor_words(const MotorReport& motors, const StageLanguage& language
   return filled(words_in(language.motors, motors), reason);
 }
 
+std::string remedy_words(const MotorReport& motors, std::string_view status_key) {
+  const std::string_view found = sentence_of(motors.finding.verdict);
+  if (motors.reason != OffReason::calibration || found.empty()) {
+    return filled(entry_of(motors.reason).remedy, status_key);
+  }
+  return fmt::format("{} The device status ({}) says what to do.", filled(found, motors.finding.motor + 1), status_key);
+}
+
 std::optional<Action> action_of_motor_button(const MotorReport& motors) {
   if (!motors.has_motors) return std::nullopt;
   if (motors.state != SafetyState::off) return StopMotors{};

@@ -66,6 +66,9 @@ std::optional<Action> action_of_button(const StageAction& button, const MotorRep
 std::string motor_words(const MotorReport& motors, const StageLanguage& language);
 std::optional<Action> action_of_motor_button(const MotorReport& motors);
 
+// What to do about motors that went off; `status_key`: of the device status. In English.
+std::string remedy_words(const MotorReport& motors, std::string_view status_key);
+
 // The keys whose names stand on the stage.
 StageKeys stage_keys() noexcept;
 

@@ -77,7 +77,7 @@ void draw_motor_button(const PanelContext& context, float height) {
   } else if (action && std::holds_alternative<OpenDialog>(*action)) {
     tooltip(fmt::format("Says what to do: {}.", front_keys().device_status.shown));
   } else if (motors.state == SafetyState::off && motors.reason != OffReason::none) {
-    tooltip(filled(entry_of(motors.reason).remedy, front_keys().device_status.shown));
+    tooltip(remedy_words(motors, front_keys().device_status.shown));
   } else {
     tooltip(motors.has_focus ? "Lets the device push. Esc is the emergency stop." : "Lets the device push.");
   }

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/state/front_keys.h"
+#include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/motor_control.h"
@@ -29,8 +30,7 @@ std::string words_about(const MotorReport& motors) {
         return motors.is_ready ? std::string("Off. The button at the top right arms the motors.")
                                : fmt::format("Off. The device is not ready. {} says what to do next.", status_key);
       }
-      return fmt::format("Off: {}. {}", entry_of(motors.reason).title,
-                         filled(entry_of(motors.reason).remedy, status_key));
+      return fmt::format("Off: {}. {}", entry_of(motors.reason).title, remedy_words(motors, status_key));
     case SafetyState::arming:
       return fmt::format("Arming: {}.", filled(entry_of(motors.obstacle).sentence, status_key));
     case SafetyState::ramp:

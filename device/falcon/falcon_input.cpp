@@ -103,8 +103,7 @@ void FalconInput::check() noexcept {
   encoder_watch_.update(vector_of(report.encoders), has_reply, glm::length(standing_), now_ns());
   reading_.is_still = motor_check_.is_still();
   reading_.is_checked = motor_check_.verdict() == MotorVerdict::right;
-  const bool do_not_match =
-      motor_check_.verdict() == MotorVerdict::wrong || motor_check_.verdict() == MotorVerdict::silent;
+  const bool do_not_match = has_failed(motor_check_.verdict());
   if (is_armed_ && reading_.trouble == OffReason::none && (do_not_match || encoder_watch_.is_frozen())) {
     reading_.trouble = OffReason::calibration;
   }

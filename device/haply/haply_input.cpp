@@ -148,20 +148,27 @@ void HaplyInput::check() noexcept {
       strongest = std::min(strongest, hapi::greatest_torque * known.torque_scale / levers[axis]);
       step_rad = std::max(step_rad, step_of(arm));
     }
+    direction_test_.set_force_limit(strongest);
     motor_check_.set_force_limit(strongest);
     // The reply belongs to the command that went out last: the arms were there when it began to act.
-    motor_check_.add(
-        {.time_ns = haply_.position_time_ns(), .angles = {report.angles[0], report.angles[1], 0.0}, .torques = torques},
-        step_rad, levers);
+    const MotorCheck::Reading reading{
+        .time_ns = haply_.position_time_ns(), .angles = {report.angles[0], report.angles[1], 0.0}, .torques = torques};
+    motor_check_.add(reading, step_rad, levers);
+    direction_test_.add(reading, step_rad, levers, motor_check_.is_still());
   }
-  watch_encoders(has_reply);
   reading_.is_still = motor_check_.is_still();
   reading_.is_checked = motor_check_.verdict() == MotorVerdict::right;
-  const bool do_not_match =
-      motor_check_.verdict() == MotorVerdict::wrong || motor_check_.verdict() == MotorVerdict::silent;
+  watch_encoders(has_reply);
+  MotorFinding finding = has_begun_check_ ? motor_check_.finding() : direction_test_.finding();
+  // It has pushed before: the hand was too firm or too lively for the check.
+  if (finding.verdict == MotorVerdict::silent && direction_test_.is_right(finding.motor)) {
+    finding.verdict = MotorVerdict::undecided;
+  }
+  const bool do_not_match = has_failed(finding.verdict);
   const bool is_frozen = std::ranges::any_of(arm_watches_, [](const ArmWatch& arm) { return arm.watch.is_frozen(); });
   if (is_armed_ && reading_.trouble == OffReason::none && (do_not_match || is_frozen)) {
     reading_.trouble = OffReason::calibration;
+    if (do_not_match) reading_.finding = finding;
     if (is_frozen) haply_.lose_count();
   }
 }
@@ -189,7 +196,8 @@ void HaplyInput::watch_encoders(bool has_reply) noexcept {
     ArmWatch& watched = arm_watches_[arm];
     const double angle = report.angles[arm];
     const double other = report.angles[1 - arm];
-    if (!is_armed_ || angle != watched.angle) {
+    // Until the motors are checked, it is for those checks to find out.
+    if (!is_armed_ || !reading_.is_checked || angle != watched.angle) {
       watched.angle = angle;
       watched.other_least = watched.other_greatest = other;
     }
@@ -212,7 +220,12 @@ void HaplyInput::probe() noexcept {
   reading_.probe = Vector<2>(0.0);
   const auto& pose = haply_.pose();
   if (!is_armed_ || !reading_.is_known || !pose) return;
-  const MotorCheck::Push push = motor_check_.push_at(now_ns());
+  // What pushes gently comes first.
+  MotorCheck::Push push = direction_test_.push_at(now_ns());
+  if (direction_test_.is_done()) {
+    if (!std::exchange(has_begun_check_, true)) motor_check_.begin();
+    push = motor_check_.push_at(now_ns());
+  }
   if (push.force != 0.0) {
     reading_.probe = push.force * HaplyPlane::turned(line_of_motor(*pose, push.leg));
     return;
@@ -239,10 +252,13 @@ Vector<2> HaplyInput::set_force(const Vector<2>& force, bool is_armed) noexcept 
   if (is_armed != is_armed_) {
     is_armed_ = is_armed;
     for (ArmWatch& arm : arm_watches_) arm.watch.reset();
+    has_begun_check_ = false;
+    motor_check_.end();
     if (is_armed) {
-      motor_check_.begin();
+      reading_.finding = {};
+      direction_test_.begin();
     } else {
-      motor_check_.end();
+      direction_test_.end();
     }
   }
   standing_ = is_armed ? force - reading_.probe : Vector<2>(0.0);

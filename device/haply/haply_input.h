@@ -20,6 +20,7 @@
 #include "core/motor_heat.h"
 #include "device/haply/haply.h"
 #include "device/input/input.h"
+#include "device/motors/direction_test.h"
 #include "device/motors/encoder_watch.h"
 #include "device/motors/handle_motion.h"
 #include "device/motors/motor_check.h"
@@ -94,7 +95,9 @@ class HaplyInput : public Input, public HapticDevice {
   HandleReading reading_;
   HandleSpeed<2> speed_;
   HandleGoal goal_;
-  MotorCheck motor_check_{2};
+  DirectionTest direction_test_{2};
+  MotorCheck motor_check_{2};  // when that is done
+  bool has_begun_check_ = false;
   struct ArmWatch {
     EncoderWatch watch;
     double sign = 1.0;  // of the force that stands, along its motor's line

@@ -11,6 +11,7 @@
 #include "core/conventions.h"
 #include "core/mechanism.h"
 #include "core/motor_heat.h"
+#include "core/motor_verdict.h"
 #include "core/safety.h"
 
 namespace ghostforce {
@@ -31,6 +32,7 @@ struct HandleReading {
   Vector<2> probe{0.0};
   bool is_still = true;    // enough for that check
   bool is_checked = true;  // nothing but the probe may be pushed with before
+  MotorFinding finding{};  // of that check when it ended last, where the device tells
 
   // The direction in which one motor pushes alone, where that turns with the handle [rad]. Empty: the settings say it.
   std::optional<double> motor_angle{};

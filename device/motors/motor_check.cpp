@@ -187,7 +187,7 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   const double greater = std::max(sign * energy.first, sign * energy.second);
   const bool is_strong = std::abs(energy.whole) > 2.0 * energy.margin && smaller > agreement * greater;
   votes_ = (sign * votes_ > 0 ? votes_ : 0) + (is_strong ? 2 * sign : sign);
-  if (votes_ <= -2) verdict_ = MotorVerdict::wrong;
+  if (votes_ <= -2) verdict_ = MotorVerdict::wrong_way;
   if (votes_ < 2) return;
   found_[leg_] = energy;
   tries_ = votes_ = 0;
@@ -195,7 +195,7 @@ void MotorCheck::judge(const Energy& energy) noexcept {
   leg_ = 0;
   verdict_ = verdict_on_legs();
   // A hand that cannot be told apart from mixed up motors so often is not waited for for ever.
-  if (verdict_ == MotorVerdict::none && ++rounds_ >= most_rounds) verdict_ = MotorVerdict::silent;
+  if (verdict_ == MotorVerdict::none && ++rounds_ >= most_rounds) verdict_ = MotorVerdict::undecided;
 }
 
 // Two motors against each other, added up from the pushes of one after the other: a hand gives back no more than it got
@@ -215,7 +215,7 @@ MotorVerdict MotorCheck::verdict_on_legs() const noexcept {
       margin += per_force * found.margin;
     }
     const int sign = sign_beyond(energy, margin);
-    if (sign < 0) return MotorVerdict::wrong;
+    if (sign < 0) return MotorVerdict::crossed;
     agreeing += sign > 0 ? 1 : 0;
   }
   return agreeing == pairs ? MotorVerdict::right : MotorVerdict::none;

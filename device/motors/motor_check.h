@@ -20,15 +20,9 @@
 #include <limits>
 
 #include "core/conventions.h"
+#include "core/motor_verdict.h"
 
 namespace ghostforce {
-
-enum class MotorVerdict : std::uint8_t {
-  none,    // not known yet
-  right,   // every motor moves its leg's encoder, and the right way
-  wrong,   // one moves it the other way, or moves another leg's
-  silent,  // one moves nothing, or nothing can be told for a long time
-};
 
 class MotorCheck {
  public:
@@ -70,6 +64,8 @@ class MotorCheck {
   Push push_at(std::int64_t now_ns) noexcept;
 
   MotorVerdict verdict() const noexcept { return verdict_; }
+  // With the leg whose motor it is about.
+  MotorFinding finding() const noexcept { return {verdict_, leg_}; }
   // The hand is quiet enough to begin.
   bool is_still() const noexcept { return is_still_; }
   // Of the newest push to and fro [J].

@@ -12,6 +12,7 @@
 #include "core/conventions.h"
 #include "core/mechanism.h"
 #include "core/motor_heat.h"
+#include "core/motor_verdict.h"
 #include "core/safety.h"
 
 namespace ghostforce {
@@ -35,6 +36,7 @@ struct MotorReport {
   double held_k_r = 0.0;                 // k_r is held at this while armed; 0: it is not held [N/m]
   double exchange_age_s = 0.0;           // of the newest reading
   bool is_checking = false;              // in RAMP: the device checks its motors, and nothing else pushes yet
+  MotorFinding finding{};                // of that check when it ended last, where the device tells
   bool may_still_push = false;           // a device has not answered since it was told to stop, perhaps another one
   bool has_focus = true;                 // keys reach the window, so that Esc turns them off
   MotorHeats heat{};                     // estimated (core/motor_heat.h)

@@ -238,6 +238,7 @@ void Servo::watch_handle() noexcept {
                  safety_options_, since(updated_ns_));
   if (safety_.is_armed() != coefficients_are_for_motors_) update_coefficients();
   report_.motors.is_checking = safety_.state() == SafetyState::ramp && !handle_.is_checked;
+  report_.motors.finding = handle_.finding;
   report_.motors.handle = handle_.position;
   report_.motors.is_handle_known = handle_.is_known;
   report_.motors.may_still_push = handle_.may_still_push;

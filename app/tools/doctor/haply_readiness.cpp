@@ -121,6 +121,37 @@ std::string moved_words(const HaplyReport& report) {
   return fmt::format("Arm {} has not moved yet.", report.has_moved[0] ? 2 : 1);
 }
 
+// What the check of the motors has found, and what to do about it.
+std::string finding_words_of(const MotorFinding& finding, std::string_view variant) {
+  const std::size_t number = finding.motor + 1;
+  const std::string found = fmt::format(fmt::runtime(sentence_of(finding.verdict)), number);
+  switch (finding.verdict) {
+    case MotorVerdict::none:
+    case MotorVerdict::right:
+      return {};
+    case MotorVerdict::wrong_way:
+      return fmt::format(
+          "{} Close this program, run 'ghostforce doctor haply --haply-variant {} --flip-motor {}', which writes the "
+          "other sign into the board's calibration file, and start this program again.",
+          found, variant, number);
+    case MotorVerdict::crossed:
+      return fmt::format(
+          "{} Close this program and run 'ghostforce doctor haply --measure', which finds out which motor is whose.",
+          found);
+    case MotorVerdict::silent:
+      return fmt::format(
+          "{} Check the power supply, this motor's plug and the plug of its arm's encoder, and hold the handle "
+          "loosely.",
+          found);
+    case MotorVerdict::undecided:
+      return fmt::format(
+          "{} Hold the handle loosely and still in the middle of its workspace, then arm the motors again. If that "
+          "does not help, run 'ghostforce doctor haply --measure'.",
+          found);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string_view sentence_of(HaplyFault fault) noexcept {
@@ -150,6 +181,7 @@ std::vector<ReadinessStepState> readiness_of(const HaplyReport& report, const Mo
       .homed_words = zero_pose_words(report),
       .moved_words = moved_words(report)};
   if (!report.serial.text().empty()) device.seen_words = fmt::format("It is {}.", report.serial.text());
+  if (motors != nullptr) device.finding_words = finding_words_of(motors->finding, report.variant);
   if (report.state == HaplyState::fault && report.fault != HaplyFault::none) {
     device.fault_sentence = readiness_fault(report.fault).sentence;
     device.fault_remedy = readiness_fault(report.fault).remedy;

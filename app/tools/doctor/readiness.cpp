@@ -158,8 +158,11 @@ class ReadinessCheck {
     return reason == OffReason::unplugged || reason == OffReason::not_homed || reason == OffReason::fault;
   }
 
-  static std::string turned_off_words(std::string_view what, const OffReasonEntry& reason) {
-    return fmt::format("{}: {}. {}", what, reason.title, fmt::format(fmt::runtime(reason.remedy), device_status_key));
+  std::string turned_off_words(std::string_view what, const OffReasonEntry& reason) const {
+    const bool has_finding = reason.id == OffReason::calibration && !device_.finding_words.empty();
+    return fmt::format(
+        "{}: {}. {}", what, reason.title,
+        has_finding ? device_.finding_words : fmt::format(fmt::runtime(reason.remedy), device_status_key));
   }
 
   const DeviceSteps& device_;

@@ -56,6 +56,7 @@ struct DeviceSteps {
   std::string firmware_words{};  // while that is not reached; empty: the catalog says it
   std::string homed_words{};     // likewise, before the catalog's remedy
   std::string moved_words{};
+  std::string finding_words{};  // what the check of the motors has found, and what to do; empty: the reason says it
 };
 
 std::vector<ReadinessStepState> readiness_of(const DeviceSteps& device, const MotorReport* motors);

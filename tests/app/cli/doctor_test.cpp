@@ -117,6 +117,27 @@ TEST(Doctor, SaysWhatIsMissingForPicturesAndEndsAsWithoutThem) {
   EXPECT_EQ(outcome.out.find("the default"), std::string::npos) << outcome.out;
 }
 
+// A port that is no USB device, so that no board on this desk matters: what is said then is about any board.
+TEST(Doctor, TurnsRoundTheSignOfAMotorInTheCalibrationFile) {
+  const TemporaryFolder home;
+  const auto flip = [&](std::vector<std::string> words) {
+    ProgramCall call;
+    call.words = {"doctor", "haply", "--haply-port", "/dev/null", "--flip-motor"};
+    call.words.insert(call.words.end(), words.begin(), words.end());
+    call.environment = {"XDG_CONFIG_HOME=" + home.path()};
+    return run_ghostforce(call);
+  };
+  const Outcome unknown = flip({"2"});
+  EXPECT_EQ(unknown.exit_code, 2) << unknown.out;
+  EXPECT_NE(unknown.err.find("--haply-variant"), std::string::npos) << unknown.err;
+  const Outcome first = flip({"2", "--haply-variant", "v2"});
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_NE(first.out.find("motor_reversed = true under [arm2]"), std::string::npos) << first.out;
+  const Outcome second = flip({"2"});
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  EXPECT_NE(second.out.find("motor_reversed = false under [arm2]"), std::string::npos) << second.out;
+}
+
 TEST(Doctor, RefusesWrongWords) {
   for (const std::vector<std::string>& words : {std::vector<std::string>{"--input", "mouse"},
                                                 {"--wait", "soon"},
@@ -126,6 +147,10 @@ TEST(Doctor, RefusesWrongWords) {
                                                 {"--install-udev", "--input", "virtual-falcon"},
                                                 {"--falcon-usb-id", "falcon"},
                                                 {"--firmware", "/nowhere/firmware.bin"},
+                                                {"--flip-motor", "1"},  // a Falcon's
+                                                {"haply", "--flip-motor", "3"},
+                                                {"haply", "--flip-motor", "1", "--measure"},
+                                                {"virtual-haply", "--flip-motor", "1"},
                                                 {"wall45"}}) {
     const Outcome outcome = doctor(words);
     EXPECT_EQ(outcome.exit_code, 2) << words.front() << outcome.err;

@@ -163,6 +163,29 @@ TEST_F(HaplyWindow, ButtonsAboveTheStrategiesChooseTheMotors) {
   EXPECT_EQ(session().settings.active, StrategyId::naive) << "the strategy that renders as if both were there";
 }
 
+TEST_F(HaplyWindow, NamesAMotorThatPushesTheWrongWayUntilAPersonHasReadIt) {
+  confirm();
+  lead_hand_to({-0.03, -0.01});
+  lead_hand_to(outside, 100.0);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().is_ready; }));
+  InjectedHaplyFault wrong;
+  wrong.reversed_motors = 2;
+  port_->inject(wrong);
+  act(ArmMotors{});
+  ASSERT_TRUE(frames_until(6.0, [&] { return motors().reason == OffReason::calibration; }));
+  frames(3);
+  EXPECT_EQ(motors().finding, (MotorFinding{MotorVerdict::wrong_way, 1}));
+  EXPECT_TRUE(sentence().starts_with("Motor 2 pushes the wrong way: ")) << sentence();
+  EXPECT_TRUE(remedy_words(motors(), "F2").starts_with("Motor 2 pushes the wrong way. "))
+      << remedy_words(motors(), "F2");
+  act(ChooseLanguage{"es"});
+  frames(3);
+  EXPECT_TRUE(sentence().starts_with("El motor 2 empuja al revés: ")) << sentence();
+  act(AcknowledgeOff{});
+  frames(3);
+  EXPECT_EQ(sentence().find("motor 2"), std::string::npos) << sentence();
+}
+
 TEST_F(HaplyWindow, SaysWhenTheMotorCanGiveNoMore) {
   turn_on();
   Stiffnesses strong = session().settings.stiffnesses;

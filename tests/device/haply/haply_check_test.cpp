@@ -21,19 +21,19 @@ void print(const char* what, const PushWatch& watch, HeldHaply& haply) {
 }
 
 // Asks to arm; nothing but the check pushes, gently, and it ends with the reason that it has.
-void expect_found_out(HeldHaply& haply, const std::string& what) {
+void expect_found_out(HeldHaply& haply, const std::string& what, double greatest_force = 2.3) {
   SCOPED_TRACE(what);
   haply.ask_to_arm();
   ASSERT_TRUE(haply.run_until(1.0, [&] { return haply.motors().state == SafetyState::ramp; }));
   PushWatch watch(haply);
-  for (int i = 0; i < 6000 && haply.motors().state != SafetyState::off; ++i) {
+  for (int i = 0; i < 8000 && haply.motors().state != SafetyState::off; ++i) {
     haply.step();
     ASSERT_EQ(haply.motors().gain, 0.0) << "the wall must not push yet";
   }
   print(what.c_str(), watch, haply);
   EXPECT_EQ(haply.motors().state, SafetyState::off);
   EXPECT_EQ(haply.motors().reason, OffReason::calibration) << haply.reason();
-  EXPECT_LT(watch.greatest_force(), 2.3);
+  EXPECT_LT(watch.greatest_force(), greatest_force);
   EXPECT_LT(watch.farthest(), 20e-3);
   haply.lead(HeldHaply::deep_place, 0.5);
   haply.run(1.0);
@@ -68,7 +68,7 @@ TEST(HaplyCheck, NoticesMotorsThatPushTheOtherWay) {
       find_injected_haply_fault(*name == '1' ? "wrong-sign-1" : "wrong-sign-2")->add(wrong);
     }
     haply.board().inject(wrong);
-    expect_found_out(haply, std::string("wrong sign of motor ") + names);
+    expect_found_out(haply, std::string("wrong sign of motor ") + names, 0.25);
   }
 }
 
@@ -81,7 +81,7 @@ TEST(HaplyCheck, NoticesADevKitsInvertedPorts) {
     options.calibration = variant.calibration;
     HeldHaply haply(options);
     ASSERT_TRUE(haply.get_ready());
-    expect_found_out(haply, "dev kit taken for an M3, " + std::string(variant.name));
+    expect_found_out(haply, "dev kit taken for an M3, " + std::string(variant.name), 0.25);
   }
 }
 
@@ -113,16 +113,22 @@ TEST(HaplyCheck, NoticesThatNothingMovesTheHandle) {
   expect_found_out(haply, "no supply of the motors");
 }
 
-// The check is weak, and it is all that there is before the ramp.
-TEST(HaplyCheck, PushesGently) {
-  HeldHaply haply;
-  ASSERT_TRUE(haply.get_ready());
-  haply.ask_to_arm();
-  PushWatch watch(haply);
-  ASSERT_TRUE(haply.run_until(6.0, [&] { return haply.motors().gain > 0.0; })) << haply.reason();
-  print("the check, all being well", watch, haply);
-  EXPECT_GT(watch.greatest_force(), 0.2);
-  EXPECT_LT(watch.greatest_force(), MotorCheck::crest * MotorCheck::greatest_force);
+// The check is all that there is before the ramp, and docs/haply.md says with how much it pushes. What comes before it,
+// and pushes less, is in haply_direction_test.cpp.
+TEST(HaplyCheck, PushesWithNoMoreThanTheGuideSays) {
+  for (const double stiffness : {20.0, 100.0, 300.0, 1000.0}) {
+    SCOPED_TRACE(stiffness);
+    HeldHaply::Options options;
+    options.device.hand.stiffness = stiffness;
+    HeldHaply haply(options);
+    ASSERT_TRUE(haply.get_ready());
+    haply.ask_to_arm();
+    PushWatch watch(haply);
+    ASSERT_TRUE(haply.run_until(6.0, [&] { return haply.motors().gain > 0.0; })) << haply.reason();
+    print(("the check, all being well, k_u " + std::to_string(stiffness)).c_str(), watch, haply);
+    EXPECT_GT(watch.greatest_force(), 0.5);
+    EXPECT_LT(watch.greatest_force(), 2.1);
+  }
 }
 
 // The motor that pushes is turned round while it does, as no motor is. The driver does not notice: what a hand of this

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "device/falcon/falcon_report.h"
+#include "device/haply/haply_report.h"
 #include "device/report/motor_report.h"
 
 namespace ghostforce::readiness_test {
@@ -228,6 +229,36 @@ TEST(Readiness, SaysWhyTheMotorsWentOffThoughTheHandleIsInTheWall) {
   EXPECT_EQ(current_of(readiness), "outside_wall");
   EXPECT_EQ(readiness.back().title, "Not armed");
   EXPECT_TRUE(readiness.back().words.starts_with("The motors went off: motor check failed.")) << readiness.back().words;
+}
+
+TEST(Readiness, NamesTheMotorOfAHaplyAndWhatToDoAboutIt) {
+  HaplyReport haply;
+  haply.state = HaplyState::idle;
+  haply.has_moved = {true, true};
+  haply.exchange_hz = 1000.0;
+  haply.variant = "v2";
+  MotorReport motors;
+  motors.has_motors = motors.is_handle_known = motors.is_outside_wall = true;
+  motors.reason = motors.last_reason = OffReason::calibration;
+  const auto words = [&] { return readiness_of(haply, &motors).back().words; };
+  motors.finding = {MotorVerdict::wrong_way, 1};
+  EXPECT_NE(words().find("Motor 2 pushes the wrong way. "), std::string::npos) << words();
+  EXPECT_NE(words().find("'ghostforce doctor haply --haply-variant v2 --flip-motor 2'"), std::string::npos) << words();
+  motors.finding = {MotorVerdict::silent, 0};
+  EXPECT_NE(words().find("Motor 1 does not push. Check the power supply"), std::string::npos) << words();
+  motors.finding = {MotorVerdict::crossed, 0};
+  EXPECT_NE(words().find("--measure"), std::string::npos) << words();
+  motors.finding = {MotorVerdict::undecided, 0};
+  EXPECT_NE(words().find("Hold the handle loosely"), std::string::npos) << words();
+  // Read, and not forgotten; of other reasons it says nothing.
+  motors.reason = OffReason::none;
+  motors.finding = {MotorVerdict::wrong_way, 0};
+  EXPECT_NE(words().find("Motor 1 pushes the wrong way. "), std::string::npos) << words();
+  motors.last_reason = OffReason::too_fast;
+  EXPECT_EQ(words().find("Motor 1"), std::string::npos) << words();
+  motors.finding = {};
+  motors.last_reason = OffReason::calibration;
+  EXPECT_NE(words().find("did not move the handle as they were told"), std::string::npos) << words();
 }
 
 TEST(Readiness, RemembersAProblemOnceItIsAcknowledged) {
