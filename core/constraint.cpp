@@ -11,18 +11,6 @@ Wall<2> wall_of(const CornerWall& corner, std::size_t which) noexcept {
   return {corner.point, corner.normals[which]};
 }
 
-// From the centre to q; from the centre itself any direction is as good.
-Vector<2> outwards(const RoundWall& wall, const Vector<2>& q) noexcept {
-  const Vector<2> way = q - wall.center;
-  const double distance = glm::length(way);
-  return distance > 0.0 ? way / distance : Vector<2>(1.0, 0.0);
-}
-
-Wall<2> tangent_at(const RoundWall& wall, const Vector<2>& q) noexcept {
-  const Vector<2> out = outwards(wall, q);
-  return {wall.center + wall.radius * out, wall.is_free_inside ? -out : out};
-}
-
 // Along the wall, to where the other one is not in the way.
 Vector<2> edge_direction(const CornerWall& corner, std::size_t which) noexcept {
   const Vector<2>& normal = corner.normals[which];
@@ -36,7 +24,7 @@ struct LinearisedAt {
   Planes<2> operator()(const CornerWall& corner) const noexcept {
     return {{wall_of(corner, 0), wall_of(corner, 1)}, 2};
   }
-  Planes<2> operator()(const RoundWall& wall) const noexcept { return {{tangent_at(wall, proxy)}, 1}; }
+  Planes<2> operator()(const RoundWall& wall) const noexcept { return {{tangent_at(wall, outwards(wall, proxy))}, 1}; }
 };
 
 struct ProjectionOf {

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <variant>
 
+#include <glm/geometric.hpp>
+
 #include "core/conventions.h"
 #include "core/wall.h"
 
@@ -36,7 +38,20 @@ struct Planes {
   std::size_t count = 0;
 };
 
-// A round wall is the tangent plane at the point of its edge that is nearest to the last proxy.
+// The direction from its centre to q; from the centre itself any one is as good.
+inline Vector<2> outwards(const RoundWall& wall, const Vector<2>& q) noexcept {
+  const Vector<2> way = q - wall.center;
+  const double distance = glm::length(way);
+  return distance > 0.0 ? way / distance : Vector<2>(1.0, 0.0);
+}
+
+// Where its edge lies in that direction from the centre, a unit vector.
+inline Wall<2> tangent_at(const RoundWall& wall, const Vector<2>& out) noexcept {
+  return {wall.center + wall.radius * out, wall.is_free_inside ? -out : out};
+}
+
+// A round wall is the tangent plane at the point of its edge that is nearest to the last proxy; round_contact.h says
+// which of its planes holds a handle.
 Planes<2> linearised(const Constraint& constraint, const Vector<2>& last_proxy) noexcept;
 
 // Whether that depends on the proxy.

@@ -6,6 +6,9 @@
 #include <span>
 #include <utility>
 
+#include "core/rest_stability.h"
+#include "core/round_contact.h"
+
 namespace ghostforce {
 namespace {
 
@@ -18,15 +21,15 @@ struct Piece {
   MotorState commanded{};  // of the efforts that are commanded; for s < 1
 };
 
-// What is asked for. `fading`: how far the motors that do not exist have faded out; 0: every motor is there.
+// What is asked for. `fading`: how far the motors that do not exist have faded out, above 0 and up to 1.
 struct Question {
   const GeneralScene& scene;
   const Vector<2>& goal;
   double share;
   double fading;
 
-  bool needs_nearest() const noexcept { return share > 0.0 && fading > 0.0; }
-  bool needs_commanded() const noexcept { return share != 1.0 && fading > 0.0; }
+  bool needs_nearest() const noexcept { return share > 0.0; }
+  bool needs_commanded() const noexcept { return share != 1.0; }
 };
 
 // The place of handle and proxy.
@@ -133,13 +136,8 @@ bool solve_piece(const Question& question, const Piece& piece, const Place& at, 
     if (actuation->count > 1) make_least(*actuation, solution.efforts);
   }
   for (std::size_t i = 0; i < actuation->count; ++i) {
-    const double command = glm::dot(actuation->commands[i], meant);
-    if (fading == 0.0) {
-      solution.efforts[i] = command;
-    } else {
-      const double commanded = within_limits(*actuation, i, command);
-      solution.efforts[i] = commanded + share * (solution.efforts[i] - commanded);
-    }
+    const double commanded = within_limits(*actuation, i, glm::dot(actuation->commands[i], meant));
+    solution.efforts[i] = commanded + share * (solution.efforts[i] - commanded);
   }
   return true;
 }
@@ -150,8 +148,7 @@ bool solve_piece(const Question& question, const Piece& piece, const Place& at, 
 class Unknowns {
  public:
   explicit Unknowns(const Question& question) noexcept
-      : device_(question.fading > 0.0 && turns(question.scene.mechanism)),
-        proxy_(is_curved(question.scene.constraint)) {}
+      : device_(turns(question.scene.mechanism)), proxy_(is_curved(question.scene.constraint)) {}
 
   std::size_t count() const noexcept { return (device_ ? 2U : 0U) + (proxy_ ? 2U : 0U); }
   double& in(Place& place, std::size_t i) const noexcept {
@@ -274,7 +271,13 @@ double distance(const Place& one, const Place& other) noexcept {
   return std::hypot(glm::length(one.device - other.device), glm::length(one.proxy - other.proxy));
 }
 
-// Of all rests that are found from `start` the nearest to it, and how many there are.
+// Whether the handle stays there. Half faded motors are only a way to find what exists.
+bool stands(const Question& question, const Place& place) noexcept {
+  if (question.fading < 1.0) return true;
+  return leads_back(question.scene, {.has_every_motor = false, .share = question.share}, place.device, place.proxy);
+}
+
+// Of all stable rests that are found from `start` the nearest to it, and how many there are.
 struct Search {
   Solution nearest;
   PlaneSet planes = 0;
@@ -287,7 +290,7 @@ Search search(const Question& question, const Place& start, bool is_unique) noex
   if (!actuation) return found;
   for_each_piece(question, *actuation, [&](const Piece& piece) {
     Solution solution;
-    if (!find_rest(question, piece, start, solution)) return false;
+    if (!find_rest(question, piece, start, solution) || !stands(question, solution.place)) return false;
     constexpr double same_m = 1e-9;
     if (found.count > 0 && distance(solution.place, found.nearest.place) < same_m) return false;
     ++found.count;
@@ -306,6 +309,28 @@ GeneralEquilibrium equilibrium_at(const GeneralScene& scene, const Vector<2>& go
           rest.contact_force,
           rest.efforts,
           static_cast<std::uint8_t>(found.planes)};
+}
+
+// With every motor the proxy is the goal, held in the compliance of hand and renderer together: (a) of docs/theory.md.
+// Inside a ring there is one such place; round an obstacle this is the face that the goal's own one leads to.
+std::optional<GeneralEquilibrium> full_rest(const GeneralScene& scene, const Vector<2>& goal) noexcept {
+  Compliances<2> both = scene.compliances;
+  both.tracking += both.force_share * scene.user_compliance;
+  const Vector<2> foot = projection(scene.constraint, goal);
+  const Contact<2> held = hold_by(scene.constraint, goal, foot,
+                                  [&](const Planes<2>& planes) { return solve_isotropic_contact(goal, planes, both); });
+  if (held.status != ContactStatus::contact) return std::nullopt;
+  const Vector<2> force = both.force_share * held.contact_force;
+  const Vector<2> device = goal + scene.user_compliance * force;
+  // Its efforts are told where its handle is, not where the hand is.
+  const std::optional<ActuationMatrix<2>> actuation = actuation_at(scene.mechanism, device);
+  if (!actuation) return std::nullopt;
+  GeneralEquilibrium rest{{goal, held.proxy, device, projection(scene.constraint, held.proxy), force, true},
+                          held.contact_force,
+                          {},
+                          held.active};
+  for (std::size_t i = 0; i < actuation->count; ++i) rest.efforts[i] = glm::dot(actuation->commands[i], force);
+  return rest;
 }
 
 // The fully actuated rest, followed while the missing motors fade out.
@@ -334,12 +359,10 @@ Search search_downstream(const Question& question, const Place& reference, bool 
   constexpr double most_steps = 20000.0;
   const auto steps = static_cast<int>(std::min(whole_way / step, most_steps));
   Place place = reference;
-  ActuationMatrix<2> actuation;
+  const GeneralStrategy strategy{.has_every_motor = false, .share = question.share};
   for (int i = 0; i < steps; ++i) {
-    if (!find_actuation(scene.mechanism, place.device, actuation)) return {};
-    const Planes<2> planes = linearised(scene.constraint, place.proxy);
-    const Contact<2> contact = solve_contact(place.device, planes, actuation, compliances, question.share);
-    if (contact.status == ContactStatus::no_solution) return {};
+    const Contact<2> contact = contact_at(scene, strategy, place.device, place.proxy);
+    if (contact.status != ContactStatus::contact && contact.status != ContactStatus::free) return {};
     place.proxy = contact.proxy;
     place.device += step * (question.goal + scene.user_compliance * contact.force - place.device);
   }
@@ -353,21 +376,10 @@ std::optional<GeneralEquilibrium> general_equilibrium_of(StrategyId id, const Ge
   if (!(signed_distance(scene.constraint, goal) < 0.0)) {
     return GeneralEquilibrium{{goal, goal, goal, projection(scene.constraint, goal), Vector<2>(0.0), false}, {}, {}, 0};
   }
-  const Place start{goal, projection(scene.constraint, goal)};
-  const Search full = search({scene, goal, 1.0, 0.0}, start, true);
-  if (full.count == 0) return std::nullopt;
+  const std::optional<GeneralEquilibrium> full = full_rest(scene, goal);
   const GeneralStrategy& own = scene.strategies[index_of(id)];
-  if (own.has_every_motor) {
-    // Its efforts are told where its handle is, not where the hand is.
-    GeneralEquilibrium rest = equilibrium_at(scene, goal, full);
-    const std::optional<ActuationMatrix<2>> actuation = actuation_at(scene.mechanism, rest.at.device);
-    if (!actuation) return std::nullopt;
-    for (std::size_t i = 0; i < actuation->count; ++i) {
-      rest.efforts[i] = glm::dot(actuation->commands[i], rest.at.force);
-    }
-    return rest;
-  }
-  const Place& reference = full.nearest.place;
+  if (!full || own.has_every_motor) return full;
+  const Place reference{full->at.device, full->at.proxy};
   // With the hand's true compliance the cure is the answer to a convex problem, so the first answer is the only one.
   const bool is_unique = own.share == 1.0 && scene.compliances.user == scene.user_compliance;
   const Question question{scene, goal, own.share, 1.0};

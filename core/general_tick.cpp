@@ -2,6 +2,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "core/round_contact.h"
+
 namespace ghostforce {
 namespace {
 
@@ -107,18 +109,22 @@ void set_user_stiffness(GeneralCoefficients& coefficients, double k_u) noexcept 
   use_hand(Matrix<2>(k_u), coefficients);
 }
 
+Contact<2> contact_at(const GeneralScene& scene, const GeneralStrategy& strategy, const Vector<2>& q,
+                      const Vector<2>& last_proxy) noexcept {
+  ActuationMatrix<2> actuation;
+  if (!find_actuation(scene.mechanism, q, actuation)) return {.proxy = q, .status = ContactStatus::outside_workspace};
+  return hold_by(scene.constraint, q, last_proxy, [&](const Planes<2>& planes) {
+    if (strategy.has_every_motor) return solve_full_contact(q, planes, actuation, scene.compliances);
+    return solve_contact(q, planes, actuation, scene.compliances, strategy.share);
+  });
+}
+
 namespace {
 
 Contact<2> solve(const GeneralCoefficients& coefficients, std::size_t strategy, const Vector<2>& q,
                  const Vector<2>& last_proxy) noexcept {
   if (coefficients.fixed) return solve_fixed_contact((*coefficients.fixed)[strategy], q);
-  const GeneralScene& scene = coefficients.scene;
-  const GeneralStrategy& own = scene.strategies[strategy];
-  ActuationMatrix<2> actuation;
-  if (!find_actuation(scene.mechanism, q, actuation)) return {.proxy = q, .status = ContactStatus::outside_workspace};
-  const Planes<2> planes = linearised(scene.constraint, last_proxy);
-  if (own.has_every_motor) return solve_full_contact(q, planes, actuation, scene.compliances);
-  return solve_contact(q, planes, actuation, scene.compliances, own.share);
+  return contact_at(coefficients.scene, coefficients.scene.strategies[strategy], q, last_proxy);
 }
 
 }  // namespace

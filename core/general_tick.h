@@ -3,7 +3,7 @@
 //
 //     (M + dt B + dt² K_u) v_k = M v_k−1 + dt (K_u (q_u(t_k) − q_h,k−1) + f_k−1)        (23)
 //     q_h,k = q_h,k−1 + dt v_k                                                          (24)
-//     q_p,k, u_k: contact_solver.h, for q_h,k−1, A(q_h,k−1) and the planes at q_p,k−1   (25)
+//     q_p,k, u_k: round_contact.h, for q_h,k−1 and A(q_h,k−1)                           (25)
 //     f_k = A(q_h,k−1) u_k                                                              (5)
 //
 // With the paper's parameters f_k is that of tick.h plus k_r dt P_A v_k, and the same at rest: nothing acts in free
@@ -38,6 +38,10 @@ struct GeneralScene {
 Mechanism mechanism_of(const Settings& settings) noexcept;
 Constraint constraint_of(const Settings& settings) noexcept;
 GeneralScene general_scene_of(const Settings& settings) noexcept;
+
+// What a strategy renders with the handle at q.
+Contact<2> contact_at(const GeneralScene& scene, const GeneralStrategy& strategy, const Vector<2>& q,
+                      const Vector<2>& last_proxy) noexcept;
 
 // What a tick needs of the settings, computed once per change of a setting.
 struct GeneralCoefficients {

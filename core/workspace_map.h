@@ -7,8 +7,7 @@
 //     f°    = depth/(n·(C_u/τ + C_r/τ)n + 1/k_c) n/τ         fully actuated, under the same hand
 //     share = |f − A u°|/|f°|
 //
-// It stays there if q̇ = q_u + C_u f(q) − q leads back: the trace of its Jacobian is negative and its determinant
-// positive, with all that A changes beside the place.
+// Whether it stays there, rest_stability.h tells.
 #pragma once
 
 #include <cstdint>

@@ -267,36 +267,32 @@ class Arrangement {
       left = layout_.numbers->most.x + points(gap);
       top = layout_.words_end + points(below_numbers);
     }
-    const auto add = [&](StageCommand command, std::string_view words) {
-      if (add_small(layout_.tools, command, words, {left, top})) left = layout_.tools.back().box.most.x + points(header_gap);
-    };
-    add(StageCommand::fit, words_.language.header.fit);
-    add(layout_.lesson ? StageCommand::reset : StageCommand::reset_all, words_.language.header.reset);
+    Vector<2> corner(left, top);
+    add_small(layout_.tools, StageCommand::fit, words_.language.header.fit, corner);
+    add_small(layout_.tools, layout_.lesson ? StageCommand::reset : StageCommand::reset_all,
+              words_.language.header.reset, corner);
     // Elsewhere it stands at the end of the row below.
     if (layout_.is_upright && !layout_.lesson && !words_.keys.link.empty()) {
-      add(StageCommand::link, words_.language.header.link);
+      add_small(layout_.tools, StageCommand::link, words_.language.header.link, corner);
     }
   }
 
-  // False where there is no room for it.
-  bool add_small(std::vector<StageButton>& row, StageCommand command, std::string_view words, const Vector<2>& corner) {
+  // Where there is room for it; the next one stands beside it.
+  void add_small(std::vector<StageButton>& row, StageCommand command, std::string_view words, Vector<2>& corner) {
     const double width =
         std::max(measure_(words, layout_.letters.words).x + points(2.0 * header_padding), layout_.least_target);
     const ScreenBox box{corner, corner + Vector<2>(width, target(header_height))};
-    if (box.most.y > layout_.bottom) return false;
-    row.push_back({command, box, std::string(words)});
-    return true;
+    if (box.most.y <= layout_.bottom) row.push_back({command, box, std::string(words)});
+    corner.x = box.most.x + points(header_gap);
   }
 
   // Where the small picture of the device stands too, which ends above them.
   void arrange_motors() {
     const StageLanguage::Device& words = words_.language.device;
     Vector<2> corner(layout_.margin, layout_.bottom - points(0.5 * gap) - target(header_height));
-    for (const auto& [command, title] : {std::pair(StageCommand::first_motor, words.first_motor),
-                                         std::pair(StageCommand::second_motor, words.second_motor),
-                                         std::pair(StageCommand::both_motors, words.both_motors)}) {
-      if (add_small(layout_.motors, command, title, corner)) corner.x = layout_.motors.back().box.most.x + points(header_gap);
-    }
+    add_small(layout_.motors, StageCommand::first_motor, words.first_motor, corner);
+    add_small(layout_.motors, StageCommand::second_motor, words.second_motor, corner);
+    add_small(layout_.motors, StageCommand::both_motors, words.both_motors, corner);
   }
 
   bool arrange_buttons(CardWords shown) {

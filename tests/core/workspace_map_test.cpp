@@ -87,6 +87,7 @@ TEST(WorkspaceMap, SharesAreThoseOfTheEquilibrium) {
     const WallAtPose found = wall_at_pose(scene, id, rest->at.device, normal, depth);
     const double expected = glm::length(with_cost(scene, id, *rest, *full).ghost_force) / glm::length(full->at.force);
     EXPECT_NEAR(found.ghost_share, expected, 1e-6 * (1.0 + expected)) << i;
+    EXPECT_EQ(found.rest, WallAtPose::Rest::stays) << i;
     ++compared;
   }
   EXPECT_GT(compared, 1500);
