@@ -147,9 +147,9 @@ struct MisbehavingDevice {
 };
 
 std::array<MisbehavingDevice, 2> misbehaving_devices() {
-  return {MisbehavingDevice{virtual_falcon_kind.name, virtual_falcon_kind.title, names_of(injected_fault_catalog())},
-          MisbehavingDevice{virtual_haply_kind.name, virtual_haply_kind.title,
-                            names_of(injected_haply_fault_catalog())}};
+  return {
+      MisbehavingDevice{virtual_falcon_kind.name, virtual_falcon_kind.title, names_of(injected_fault_catalog())},
+      MisbehavingDevice{virtual_haply_kind.name, virtual_haply_kind.title, names_of(injected_haply_fault_catalog())}};
 }
 
 }  // namespace
@@ -165,10 +165,11 @@ void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
   files.reads(add_option(command, "--haply-port PATH", haply_port,
                          "Serial port of the Haply, as /dev/ttyACM0; default: that of the only board that is known"));
   const std::vector<std::string_view> variants = names_of(haply_variant_catalog());
-  add_option(command, "--haply-variant NAME", haply_variant,
-             fmt::format("Which Haply it is, where no calibration file of this very board says so: {}; default: that of "
-                         "any.toml, else {}",
-                         listed(variants), usual_haply_variant().name))
+  add_option(
+      command, "--haply-variant NAME", haply_variant,
+      fmt::format("Which Haply it is, where no calibration file of this very board says so: {}; default: that of "
+                  "any.toml, else {}",
+                  listed(variants), usual_haply_variant().name))
       ->check(one_of(variants));
   std::string about_faults = "Faults to inject.";
   std::vector<std::string_view> all;
@@ -179,8 +180,7 @@ void DeviceSetUp::attach(CLI::App& command, FileOptions& files) {
     }
   }
   about_faults.pop_back();
-  repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave, about_faults)
-                 ->delimiter(','))
+  repeatable(add_option(command, "--misbehave NAME[,NAME]", misbehave, about_faults)->delimiter(','))
       ->check(one_of(all));
 }
 
@@ -193,8 +193,7 @@ void DeviceSetUp::refuse_misbehaviour_of_others(std::string_view input) const {
                     fmt::format("--misbehave is about virtual devices, but --input is {}; add --input {}, or leave it "
                                 "out",
                                 quoted_text(input, longest_path),
-                                fmt::join(devices | std::views::transform(&MisbehavingDevice::input),
-                                          " or --input ")));
+                                fmt::join(devices | std::views::transform(&MisbehavingDevice::input), " or --input ")));
     }
     if (std::ranges::find(device->faults, name) == device->faults.end()) {
       throw Failure(ExitCode::wrong_call,

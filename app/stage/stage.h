@@ -37,8 +37,8 @@ struct StagePicture {
   std::vector<StagePart> parts{};                         // of a general scene, that can be moved
   std::optional<LandscapeLayout> landscape{};             // empty: there is no map
   std::optional<RibbonPlace> ribbon{};
-  std::optional<ScreenBox> menu{};   // while it is open
-  std::optional<ScreenBox> tools{};  // Fit and Reset
+  std::optional<ScreenBox> menu{};    // while it is open
+  std::optional<ScreenBox> tools{};   // Fit and Reset
   std::optional<ScreenBox> motors{};  // which motors of a device push
 };
 

@@ -85,9 +85,9 @@ struct StageContent {
   // What its rail goes through wherever it is turned to, once everything has come to rest; empty: the handle [m].
   std::optional<Vector<2>> rail_pivot{};
   bool may_turn_wall = false;
-  bool may_move_parts = false;               // of a general scene: the ends of its device and its walls
-  std::optional<ScenePart> hovered_part{};   // with hovered_grip part
-  std::optional<LinkagePose> linkage{};      // of a real device; empty: the settings say what there is
+  bool may_move_parts = false;                 // of a general scene: the ends of its device and its walls
+  std::optional<ScenePart> hovered_part{};     // with hovered_grip part
+  std::optional<LinkagePose> linkage{};        // of a real device; empty: the settings say what there is
   std::optional<MotorsInUse> motors_in_use{};  // of that device, where they can be chosen
   StageGuess guess{};
   int why_step = 0;

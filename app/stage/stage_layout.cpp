@@ -261,13 +261,9 @@ class Arrangement {
   // not shown.
   void arrange_tools() {
     const bool are_below = layout_.numbers && (words_.has_numbers || !layout_.is_upright);
-    double left = layout_.margin;
-    double top = (are_below ? layout_.numbers->most.y : layout_.words_end) + points(below_numbers);
-    if (are_below && top + target(header_height) > layout_.bottom) {
-      left = layout_.numbers->most.x + points(gap);
-      top = layout_.words_end + points(below_numbers);
-    }
-    Vector<2> corner(left, top);
+    Vector<2> corner(layout_.margin, (are_below ? layout_.numbers->most.y : layout_.words_end) + points(below_numbers));
+    if (are_below && corner.y + target(header_height) > layout_.bottom)
+      corner = {layout_.numbers->most.x + points(gap), layout_.words_end + points(below_numbers)};
     add_small(layout_.tools, StageCommand::fit, words_.language.header.fit, corner);
     add_small(layout_.tools, layout_.lesson ? StageCommand::reset : StageCommand::reset_all,
               words_.language.header.reset, corner);

@@ -10,8 +10,8 @@ bool is_in_sight(const StageLayout& layout, const Vector<2>& place) {
   const auto is_beside = [&](const std::optional<ScreenBox>& box) {
     return box && place.x <= box->most.x && place.y >= box->least.y && place.y <= box->most.y;
   };
-  return !is_beside(layout.numbers) && !is_beside(layout.tools_box()) &&
-         !is_beside(layout.motors_box()) && contains(layout.scene(), place);
+  return !is_beside(layout.numbers) && !is_beside(layout.tools_box()) && !is_beside(layout.motors_box()) &&
+         contains(layout.scene(), place);
 }
 
 double strategy_button_width(const StrategyWords& words, double unit, const StageLetters& letters,

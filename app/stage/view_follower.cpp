@@ -38,7 +38,9 @@ bool is_in_sight(const StagePicture& picture, const Vector<2>& place) {
   constexpr double handle_radius = 16.0;  // of the design [points]
   const double radius = handle_radius * picture.unit;
   const Vector<2> handle = to_screen(picture.pane.camera, place);
-  const auto lies_over = [&](const std::optional<ScreenBox>& box) { return box && contains(box->grown(radius), handle); };
+  const auto lies_over = [&](const std::optional<ScreenBox>& box) {
+    return box && contains(box->grown(radius), handle);
+  };
   return contains(picture.scene.grown(-radius), handle) && !lies_over(picture.numbers) && !lies_over(picture.inset) &&
          !lies_over(picture.tools) && !lies_over(picture.motors);
 }

@@ -301,12 +301,12 @@ using Effects = std::vector<Effect>;
 
 using AnyAction = std::variant<
     MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo, GoToLandscapePoint, TurnMotorBy,
-    TurnWallToLargestDrift, MovePart, SwitchMotor, UseMotors, TurnRatio, ChooseStrategy, ChooseByNumber, TurnLandscapeDial,
-    TogglePause, StepBack, StepOn, LookBackTo, Restart, ShowFace, SwitchFace, ToggleMode, MeasureHand,
-    PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers, AnswerLesson,
-    MoveSliderTo, NudgeSlider, LeaveLesson, NextLanguage, ArmMotors, ConfirmZeroPose, StopMotors, AcknowledgeOff,
-    Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, MoveView, PanView, TogglePlots, NextTheme,
-    ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, HoldControl, ChangeSpeed,
+    TurnWallToLargestDrift, MovePart, SwitchMotor, UseMotors, TurnRatio, ChooseStrategy, ChooseByNumber,
+    TurnLandscapeDial, TogglePause, StepBack, StepOn, LookBackTo, Restart, ShowFace, SwitchFace, ToggleMode,
+    MeasureHand, PressMeasuringButton, Confirm, GoOn, NextStep, PreviousStep, ToggleBlank, ToggleMenu, ToggleNumbers,
+    AnswerLesson, MoveSliderTo, NudgeSlider, LeaveLesson, NextLanguage, ArmMotors, ConfirmZeroPose, StopMotors,
+    AcknowledgeOff, Escape, NextCompareMode, ToggleViewOption, FitView, ZoomView, MoveView, PanView, TogglePlots,
+    NextTheme, ChangeTextSize, UseUsualTextSize, OpenDialog, ToggleDialog, ChooseInput, HoldControl, ChangeSpeed,
     ChangeViewOptions, ChangeAppearance, ChangeMotion, FollowSystemMotion, ChangePlots, ChangeSafety, ChangeSpaceMouse,
     ChooseLanguage, SwitchSpeech, InjectFault, AimAtTarget, ChangeStiffnesses, Believe, StartMeasuring, TakeReading,
     CancelMeasuring, RevealHand, BelieveMeasurement, BeginCircleTest, EndCircleTest, ChangeCircle, FollowNewest,

@@ -54,7 +54,8 @@ class LeapFilter {
     // Readings that come together are not as old as each other.
     constexpr double shortest_s = 0.001;
     for (std::size_t i = 0; i < numbers.size() && believed_ns_ != 0 && verdict == Verdict::believed; ++i) {
-      speeds_[i] = (static_cast<double>(numbers[i]) - static_cast<double>(believed_[i])) / std::max(passed_s, shortest_s);
+      speeds_[i] =
+          (static_cast<double>(numbers[i]) - static_cast<double>(believed_[i])) / std::max(passed_s, shortest_s);
     }
     odd_readings_ = 0;
     believed_ = numbers;

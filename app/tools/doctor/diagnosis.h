@@ -39,10 +39,10 @@ struct Diagnosis {
   FalconReport report;
   ExitCode verdict = ExitCode::done;
   std::optional<FirmwareImage> firmware;
-  bool has_calibration = false;     // one is kept for this very device
-  UsbSearch usb;                    // what is on the bus
+  bool has_calibration = false;               // one is kept for this very device
+  UsbSearch usb;                              // what is on the bus
   std::vector<SerialPortFound> serial_ports;  // over USB
-  std::filesystem::path udev_rule;  // empty: not installed
+  std::filesystem::path udev_rule;            // empty: not installed
   RealtimeStatus realtime;
   SpaceMouseReading spacemouse;
   std::vector<RendererState> renderers;

@@ -67,7 +67,8 @@ constexpr std::array haply_faults{
                     "Check its power supply and cable. Then hold its zero pose again, and confirm it."},
     HaplyFaultWords{HaplyFault::lost_count, ReadinessStep::homed, "An encoder has lost its count.",
                     "Check the encoders' plugs and the power supply. Then hold the zero pose again, and confirm it."},
-    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed, "The encoders report angles that the arms cannot have.",
+    HaplyFaultWords{HaplyFault::kinematics, ReadinessStep::homed,
+                    "The encoders report angles that the arms cannot have.",
                     "Hold the zero pose again, and confirm it. If that does not help, check the variant "
                     "(--haply-variant) and the calibration file."},
     HaplyFaultWords{HaplyFault::overruled, ReadinessStep::free,

@@ -61,7 +61,8 @@ TEST_F(HaplyOptionsTest, AVariantThatIsNamedIsForBoardsWithoutAFileOfTheirOwn) {
   keep("any.toml", of_any);
   keep("one.toml", of_one);
   app_.parse("--haply-variant 2017");
-  for (const std::string_view serial : {"", "B2", "/dev/ttyACM0"}) EXPECT_EQ(used_for(serial).variant, "2017") << serial;
+  for (const std::string_view serial : {"", "B2", "/dev/ttyACM0"})
+    EXPECT_EQ(used_for(serial).variant, "2017") << serial;
   EXPECT_EQ(used_for("A1").variant, "v3");
 }
 

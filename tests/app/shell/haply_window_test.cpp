@@ -146,7 +146,8 @@ TEST_F(HaplyWindow, ButtonsAboveTheStrategiesChooseTheMotors) {
   confirm();
   lead_hand_to(outside);
   frames(3);
-  for (const StageCommand command : {StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors}) {
+  for (const StageCommand command :
+       {StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors}) {
     ASSERT_NE(button_for(command), nullptr);
     EXPECT_LT(button_for(command)->box.most.y, button_for(StrategyId::naive)->box.least.y);
   }

@@ -98,7 +98,8 @@ TEST(HaplyHostile, BothTorquesAreShortenedTogether) {
     saturated += haply.driver->report().is_saturated ? 1 : 0;
     const double greatest = std::max(std::abs(sent[0]), std::abs(sent[1]));
     EXPECT_LE(greatest, hapi::greatest_torque * (1.0 + 1e-12));
-    for (const std::size_t arm : {0U, 1U}) EXPECT_NEAR(of_asked[arm], sent[arm], 1e-6) << "what is recorded is what is sent";
+    for (const std::size_t arm : {0U, 1U})
+      EXPECT_NEAR(of_asked[arm], sent[arm], 1e-6) << "what is recorded is what is sent";
     if (haply.driver->report().is_saturated) {
       EXPECT_NEAR(greatest, hapi::greatest_torque, 1e-12);
     }

@@ -210,9 +210,8 @@ TEST(DirectionTest, TakesNoRightMotorForAWrongOne) {
     if (i % 4 == 3) hand.tremor_and_drift.tremor_hz = {3.0, 7.0};
     if (i % 4 == 3) hand.tremor_and_drift.tremor_rms = random.over_decades(50e-6, 1e-3);
     const Result result = test_in(hand);
-    EXPECT_FALSE(has_failed(result.finding.verdict))
-        << static_cast<int>(result.finding.verdict) << ", " << i << ": " << hand.stiffness << " N/m, " << hand.mass
-        << " kg";
+    EXPECT_FALSE(has_failed(result.finding.verdict)) << static_cast<int>(result.finding.verdict) << ", " << i << ": "
+                                                     << hand.stiffness << " N/m, " << hand.mass << " kg";
     done += result.is_done ? 1 : 0;
     EXPECT_LE(result.greatest_force, 0.25);
   }
