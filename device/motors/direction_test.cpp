@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include <glm/common.hpp>
-
 namespace ghostforce {
 namespace {
 
@@ -166,7 +164,7 @@ bool DirectionTest::learn_own() noexcept {
     }
     // One that has been watched for one train is known well enough.
     if (!is_whole) return shift > 0;
-    own_ = glm::max(own_, glm::abs(sum));
+    for (glm::length_t axis = 0; axis < 3; ++axis) own_[axis] = std::max(own_[axis], std::abs(sum[axis]));
   }
   return true;
 }
