@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <glm/common.hpp>
+#include <utility>
 
 namespace ghostforce {
 namespace {
@@ -23,6 +22,8 @@ constexpr double greatest_gain = 0.2;
 constexpr double least_likeness = 0.8;
 // A handle that drifts so far in a train, as a share of how far its motor has moved it, is led by the hand.
 constexpr double greatest_drift = 1.0;
+// Of what two rounds have found of motors that are crossed, as a share.
+constexpr double greatest_difference = 0.3;
 // Trains of a lively hand that tell nothing, before the test goes on.
 constexpr int most_unclear_trains = 2;
 
@@ -163,7 +164,7 @@ bool DirectionTest::learn_own() noexcept {
     }
     // One that has been watched for one train is known well enough.
     if (!is_whole) return shift > 0;
-    own_ = glm::max(own_, glm::abs(sum));
+    for (glm::length_t axis = 0; axis < 3; ++axis) own_[axis] = std::max(own_[axis], std::abs(sum[axis]));
   }
   return true;
 }
@@ -208,20 +209,24 @@ DirectionTest::Outcome DirectionTest::outcome_of_train() noexcept {
 }
 
 // Two motors against each other: a hand gives back no more than it got from both, so that what each would have given to
-// the other one's arm is no more than what both have given to their own.
-bool DirectionTest::are_crossed() const noexcept {
+// the other one's arm is no more than what both have given to their own. Where they are crossed, it is as much more in
+// each round.
+bool DirectionTest::are_crossed() noexcept {
   const std::size_t pairs = legs_ == 2 ? 1 : legs_;
+  double least = 0.0;
   for (std::size_t one = 0; one < pairs; ++one) {
     const std::size_t other = (one + 1) % legs_;
     const auto i = static_cast<glm::length_t>(one);
     const auto k = static_cast<glm::length_t>(other);
-    const Vector<3>& of_one = found_[one].energy;
-    const Vector<3>& of_other = found_[other].energy;
     if (found_[one].margin == 0.0 || found_[other].margin == 0.0) continue;
     const double margin = 2.0 * (found_[one].margin + found_[other].margin);
-    if (of_one[i] - of_one[k] + of_other[k] - of_other[i] < -margin) return true;
+    const double own = found_[one].energy[i] + found_[other].energy[k];
+    const double crossed = found_[one].energy[k] + found_[other].energy[i];
+    if (own - crossed < -margin && own + crossed > margin) least = std::min(least, own - crossed);
   }
-  return false;
+  const double before = std::exchange(crossed_energy_, least);
+  if (least == 0.0) return false;
+  return crossed_rounds_ == 0 || std::abs(least - before) < greatest_difference * std::abs(before);
 }
 
 void DirectionTest::take_in(Outcome outcome) noexcept {
@@ -246,6 +251,7 @@ void DirectionTest::take_in(Outcome outcome) noexcept {
     case Outcome::unclear:
       wrong_trains_ = 0;
       knows_own_ = false;  // it may have come to rest just before this
+      found_[leg_] = {};
       if (++unclear_trains_ >= most_unclear_trains) begin_leg(leg_ + 1);
       return;
   }

@@ -82,12 +82,12 @@ class DirectionTest {
   // Of a leg's newest train, for one N·m: as Train has it, and what the hand and the encoders' steps leave open of it.
   struct Found {
     Vector<3> energy{0.0};
-    double margin = 0.0;  // 0: nothing was found
+    double margin = 0.0;  // 0: nothing was found, or the hand was too lively
   };
 
   void follow_rest(const MotorCheck::Reading& reading) noexcept;
   bool learn_own() noexcept;
-  bool are_crossed() const noexcept;
+  bool are_crossed() noexcept;
   Outcome outcome_of_train() noexcept;
   void take_in(Outcome outcome) noexcept;
   void begin_leg(std::size_t leg) noexcept;
@@ -125,10 +125,11 @@ class DirectionTest {
   Vector<3> own_{0.0};         // what the same train would have made of the hand's own motion, per N·m [rad]
   bool knows_own_ = false;
   Train train_;
-  PerPulse way_before_{};   // of the train before, where it was wrong
-  int wrong_trains_ = 0;    // in a row
-  int unclear_trains_ = 0;  // of this leg
-  int crossed_rounds_ = 0;  // in which two seemed to
+  PerPulse way_before_{};        // of the train before, where it was wrong
+  int wrong_trains_ = 0;         // in a row
+  int unclear_trains_ = 0;       // of this leg
+  int crossed_rounds_ = 0;       // in a row, in which two motors seemed to move each other's leg
+  double crossed_energy_ = 0.0;  // what told so in the newest, for one N·m
   std::array<Found, 3> found_{};
   std::array<bool, 3> is_right_{};
   MotorFinding finding_;

@@ -59,6 +59,7 @@ Result test_in(const Hand& hand) {
   constexpr double step_s = 1e-3 / substeps;
   const TremorAndDriftMotion motion(hand.tremor_and_drift);
   const double count_angle = 2.0 * std::numbers::pi / hand.counts_per_turn;
+  MotorCheck check(2);  // tells whether the hand is still
   DirectionTest test(2);
   Result result;
   Vector<2> place(0.0);
@@ -70,8 +71,10 @@ Result test_in(const Hand& hand) {
     const double time_s = 1e-3 * static_cast<double>(i);
     const std::int64_t now_ns = (1000 + i) * ms;
     const Vector<2> angles = count_angle * glm::floor(place / hand.lever / count_angle);
-    test.add({.time_ns = now_ns, .angles = {angles.x, angles.y, 0.0}, .torques = torques}, count_angle,
-             {hand.lever, hand.lever, 1.0}, true);
+    const MotorCheck::Reading reading{.time_ns = now_ns, .angles = {angles.x, angles.y, 0.0}, .torques = torques};
+    const Vector<3> levers(hand.lever, hand.lever, 1.0);
+    check.add(reading, count_angle, levers);
+    test.add(reading, count_angle, levers, check.is_still());
     if (time_s == armed_s) test.begin();
     const MotorCheck::Push push = test.push_at(now_ns);
     torques = Vector<3>(0.0);
@@ -216,7 +219,7 @@ TEST(DirectionTest, TakesNoRightMotorForAWrongOne) {
     EXPECT_LE(result.greatest_force, 0.25);
   }
   // Some never hold still.
-  EXPECT_GT(done, 95 * hands / 100);
+  EXPECT_GT(done, hands / 2);
 }
 
 TEST(DirectionTest, FindsAWrongMotorInMostHandsThatHoldLoosely) {
@@ -230,7 +233,7 @@ TEST(DirectionTest, FindsAWrongMotorInMostHandsThatHoldLoosely) {
     found += result.finding == MotorFinding{MotorVerdict::wrong_way, static_cast<std::size_t>(i % 2)} ? 1 : 0;
     EXPECT_LE(result.greatest_force, 0.25);
   }
-  EXPECT_GT(10 * found, 8 * hands);
+  EXPECT_GT(10 * found, 7 * hands);
 }
 
 }  // namespace
