@@ -31,9 +31,7 @@ struct Facts {
   bool has_motor_at_elbow() const { return settings.general.arm.motor == TwoLinkArm::Motor::elbow; }
   bool has_slack_string() const {
     if (!has_strings(settings) || !moment.in_contact) return false;
-    const Efforts efforts = efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force);
-    const auto end = efforts.begin() + settings.general.strings.count;
-    return std::any_of(efforts.begin(), end, [](double effort) { return effort < least_tension; });
+    return slack_strings(settings, efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force)) > 0;
   }
   // Naïve rendering presses into a wall that would not be touched.
   bool is_dragged_into_corner() const {
