@@ -87,6 +87,11 @@ constexpr std::array sentences{
                return !now.moment.has_rest && now.is(StrategyId::naive) &&
                       motor_reach(now.settings, now.moment.goal).count > 0;
              }},
+    Sentence{&Sentences::no_rest_for_cure,
+             [](const Facts& now) {
+               return !now.moment.has_rest && now.is(StrategyId::anisotropic) &&
+                      motor_reach(now.settings, now.moment.goal).count > 0;
+             }},
     Sentence{&Sentences::out_of_reach,
              [](const Facts& now) {
                return now.moment.is_outside ||
