@@ -183,8 +183,8 @@ TEST(GeneralLimits, TheBestTorqueForAnArmThatTurnsIsHardlyBetter) {
   EXPECT_GT(worst, 1e-4) << "but it is better";
 }
 
-// An arm whose handle is near the inner edge of its reach: with every motor it rests there, the cure's motor alone turns it
-// out of the workspace.
+// An arm whose handle is near the inner edge of its reach: with every motor it rests there, with the cure's one motor
+// nothing balances.
 TEST(GeneralLimits, NearTheEdgeOfTheWorkspaceTheCureMayHaveNoRest) {
   Settings settings = arm_settings();
   settings.wall_normal_angle = 153.339 / degrees_per_radian;
