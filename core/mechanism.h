@@ -48,6 +48,13 @@ struct FiveBar {
   friend bool operator==(const FiveBar&, const FiveBar&) = default;
 };
 
+// Whether the base that is called left is on the left of the other one, seen from them towards the handle.
+inline bool has_elbows_outward(const FiveBar& linkage, const Vector<2>& q) noexcept {
+  const Vector<2> across = linkage.bases[1] - linkage.bases[0];
+  const Vector<2> way = q - linkage.bases[0];
+  return across.x * way.y - across.y * way.x >= 0.0;
+}
+
 // The handle hangs on strings. Each pulls towards its anchor, and cannot push.
 struct Strings {
   std::array<Vector<2>, most_motors> anchors{};  // [m]

@@ -1,6 +1,6 @@
-// The contact of a handle with a constraint, straight or round. A round wall is one tangent plane for each direction from
-// its centre; the one that holds is that in which the proxy lies on its own foot. Pure, never allocates or throws, any
-// thread.
+// The contact of a handle with a constraint, straight or round. A round wall is one tangent plane for each direction
+// from its centre; the one that holds is that in which the proxy lies on its own foot. Pure, never allocates or
+// throws, any thread.
 //
 // How far the proxy lies beside the foot, along the wall, tells the way to it: the energy of contact_solver.h, as a
 // function of the direction, grows or falls by the push times that distance. In a ring the energy of the tangent planes

@@ -415,6 +415,13 @@ std::optional<SceneProblem> find_workspace_problem(const Scene& scene) {
         has_links ? "move the goal or the base, or make the links longer" : "move the goal, or what it is too near to"};
   };
   for (const Vector<2>& goal : scene.goal.points) {
+    const auto* const linkage = std::get_if<FiveBar>(&general.mechanism);
+    if (linkage != nullptr && !has_elbows_outward(*linkage, goal)) {
+      return SceneProblem{"device", "bases_mm",
+                          "of the two bases, seen towards " + at("the goal", goal) +
+                              ", the first is the right one, and the elbows would be inward",
+                          "give the left base first"};
+    }
     if (auto why = why_outside_workspace(general.mechanism, goal, "the goal")) return problem(std::move(*why));
     if (auto why = why_too_near_to_anchor(general.mechanism, goal)) return problem(std::move(*why));
     if (general_equilibrium_of(StrategyId::full, general, goal)) continue;

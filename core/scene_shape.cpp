@@ -1,5 +1,6 @@
 #include "core/scene_shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/geometric.hpp>
@@ -93,6 +94,13 @@ Efforts efforts_of(const Settings& settings, const Vector<2>& handle, const Vect
   const GeneralScene scene = general_scene_of(settings);
   const std::optional<ActuationMatrix<2>> actuation = actuation_at(scene.mechanism, handle);
   return actuation ? nearest_efforts(*actuation, scene.user_compliance, force) : Efforts{};
+}
+
+std::size_t slack_strings(const Settings& settings, const Efforts& efforts) noexcept {
+  if (!has_strings(settings)) return 0;
+  const auto end = efforts.begin() + settings.general.strings.count;
+  return static_cast<std::size_t>(
+      std::count_if(efforts.begin(), end, [](double effort) { return effort < least_tension; }));
 }
 
 std::optional<PredictedEquilibrium> rest_of(StrategyId id, const Settings& settings, const Vector<2>& goal) noexcept {

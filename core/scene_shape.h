@@ -70,6 +70,9 @@ Settings with_other_motor(Settings settings) noexcept;
 // Strings that push nothing and could not: each has less than this [N].
 inline constexpr double least_tension = 0.005;
 
+// How many of its strings are slack under these efforts; without strings none.
+std::size_t slack_strings(const Settings& settings, const Efforts& efforts) noexcept;
+
 // --- Where it rests ---
 
 // Empty: nowhere.

@@ -344,7 +344,9 @@ class SceneReading {
       keys_.push_back(
           {key.table, key.name, [](const TomlValue& value) { value.refuse(follows_later, "leave it out"); }});
     }
-    reader_.read(keys_, [](std::string_view table, std::string_view name) { return suggest_scene_key(table, name); });
+    reader_.read(keys_, [this](std::string_view table, std::string_view name) {
+      return suggest_scene_key(table, name, of_these_kinds_);
+    });
     refuse_mixture();
     reader_.finish();
   }
@@ -378,6 +380,7 @@ class SceneReading {
     const std::string_view kind = kind_in_file(key.table);
     const bool is_kind_known = !kind.empty() || kinds_of(key.table).empty();
     const bool is_wanted = belongs_to_kind(key, kind);
+    if (is_wanted || !is_kind_known) of_these_kinds_.push_back(&key);
     const auto read = [this, &key, kind, is_kind_known, is_wanted](const TomlValue& value) {
       if (key.name == "kind" && is_later_kind(value)) return;
       if (key.format > 1 && !is_newest_ && !value.is_override()) {
@@ -386,7 +389,7 @@ class SceneReading {
         std::visit(ValueReader{scene_, value, limits_of(key).value_or(NumberLimits{.unit = unit_of(key.name)})},
                    key.value);
       } else if (is_kind_known && (value.is_override() || !is_kind_overridden(key.table))) {
-        value.refuse(fmt::format("belongs to kind {}, and this {} is of kind '{}'", kinds_text(key), key.table, kind),
+        value.refuse(wrong_kind_text(key, kind),
                      fmt::format("leave it out, or write kind = \"{}\"", key.kinds.substr(0, key.kinds.find(' '))));
       }
     };
@@ -396,12 +399,6 @@ class SceneReading {
 
   bool is_kind_overridden(std::string_view table) const {
     return std::ranges::find(overridden_, table) != overridden_.end();
-  }
-
-  static std::string kinds_text(const SceneKey& key) {
-    std::string text = "'";
-    for (const char c : key.kinds) text += c == ' ' ? "' or '" : std::string(1, c);
-    return text + "'";
   }
 
   static bool is_later_kind(const TomlValue& value) {
@@ -419,7 +416,8 @@ class SceneReading {
                     "write compliance_share instead: 0 is naïve rendering, 1 the cure");
     }
     const auto first = reader_.find("user", "k_u_first_deg");
-    if (first && !scene_.settings.general.k_u_second) {
+    // Where another key is wrong, it may be the second stiffness.
+    if (first && !scene_.settings.general.k_u_second && reader_.problems().empty()) {
       first->refuse("is the direction of a hand with two stiffnesses", "give k_u_second_N_per_m too, or leave it out");
     }
   }
@@ -428,6 +426,7 @@ class SceneReading {
   Scene& scene_;
   bool is_newest_ = false;
   std::vector<TomlKey> keys_;
+  SceneKeys of_these_kinds_;
   std::vector<std::string_view>
       overridden_;  // tables whose kind is another than the file's: its keys of that say nothing
 };

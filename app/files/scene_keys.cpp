@@ -26,19 +26,29 @@ std::pair<std::string_view, std::string_view> split(std::string_view dotted) noe
   return {dotted.substr(0, dot), dotted.substr(dot + 1)};
 }
 
-std::vector<std::string_view> names_in(std::string_view table) {
+SceneKeys all_keys() {
+  SceneKeys all;
+  for (const SceneKey& key : scene_keys()) all.push_back(&key);
+  return all;
+}
+
+std::vector<std::string_view> names_in(std::string_view table, const SceneKeys& keys) {
   std::vector<std::string_view> names;
-  for (const SceneKey& key : scene_keys()) {
-    if (key.table == table) names.push_back(key.name);
+  for (const SceneKey* const key : keys) {
+    if (key->table == table) names.push_back(key->name);
   }
   return names;
 }
 
 // Dotted: of the same name in another table first, then of what is near in this one, in all, and but for the table.
-std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name) {
-  const std::vector<std::string_view> here = names_in(table);
-  const std::vector<std::string_view> names = names_of(scene_keys());
-  const std::vector<std::string> dotted = dotted_names(KeyKind::any);
+std::optional<std::string> nearest_scene_key(std::string_view table, std::string_view name, const SceneKeys& keys) {
+  const std::vector<std::string_view> here = names_in(table, keys);
+  std::vector<std::string_view> names;
+  std::vector<std::string> dotted;
+  for (const SceneKey* const key : keys) {
+    names.push_back(key->name);
+    dotted.push_back(dotted_name(*key));
+  }
   const auto whole = [&](std::string_view found) {
     return dotted[static_cast<std::size_t>(std::ranges::find(names, found) - names.begin())];
   };
@@ -153,9 +163,10 @@ const SceneKey* find_scene_key(std::string_view dotted) noexcept {
   return find_scene_key(table, name);
 }
 
-std::string suggest_scene_key(std::string_view table, std::string_view name) {
-  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
-  const std::vector<std::string_view> here = names_in(table);
+std::string suggest_scene_key(std::string_view table, std::string_view name, const SceneKeys& among) {
+  const SceneKeys keys = among.empty() ? all_keys() : among;
+  if (const auto near = nearest_scene_key(table, name, keys)) return ask(*near);
+  const std::vector<std::string_view> here = names_in(table, keys);
   if (here.empty()) return "";
   return fmt::format("; {} has {}", table.empty() ? "the file" : fmt::format("[{}]", table), listed(here));
 }
@@ -163,8 +174,14 @@ std::string suggest_scene_key(std::string_view table, std::string_view name) {
 std::string suggest_scene_key(std::string_view dotted) {
   const auto [table, name] = split(dotted);
   if (!table.empty()) return suggest_scene_key(table, name);
-  if (const auto near = nearest_scene_key(table, name)) return ask(*near);
+  if (const auto near = nearest_scene_key(table, name, all_keys())) return ask(*near);
   return fmt::format("; the keys are {}", fmt::join(dotted_names(KeyKind::any), ", "));
+}
+
+std::string wrong_kind_text(const SceneKey& key, std::string_view kind) {
+  std::string kinds = "'";
+  for (const char c : key.kinds) kinds += c == ' ' ? "' or '" : std::string(1, c);
+  return fmt::format("belongs to kind {}', and this {} is of kind '{}'", kinds, key.table, kind);
 }
 
 std::string dotted_name(const SceneKey& key) {

@@ -16,10 +16,16 @@ namespace ghostforce {
 const SceneKey* find_scene_key(std::string_view table, std::string_view name) noexcept;
 const SceneKey* find_scene_key(std::string_view dotted) noexcept;
 
+// Of which a message may propose one; empty: of all.
+using SceneKeys = std::vector<const SceneKey*>;
+
 // The end of a message about an unknown key: "; did you mean '…'?" with the same name in another table, else the nearest
 // in this one, else the nearest of all; or "; TABLE has …".
-std::string suggest_scene_key(std::string_view table, std::string_view name);
+std::string suggest_scene_key(std::string_view table, std::string_view name, const SceneKeys& among = {});
 std::string suggest_scene_key(std::string_view dotted);
+
+// "belongs to kind 'circle', and this wall is of kind 'plane'". `kind`: that of the key's table.
+std::string wrong_kind_text(const SceneKey& key, std::string_view kind);
 
 // "TABLE.NAME"
 std::string dotted_name(const SceneKey& key);

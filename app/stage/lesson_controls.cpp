@@ -14,6 +14,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/lesson_progress.h"
 #include "app/state/lesson_quantities.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
@@ -21,8 +22,8 @@ namespace {
 using Kind = StageControlKind;
 
 // In the order of LessonQuantity.
-constexpr std::array decimals_of_quantities{1, 2, 2, 1, 1, 0, 2, 0, 2, 0};
-static_assert(decimals_of_quantities.size() == static_cast<std::size_t>(LessonQuantity::hand) + 1);
+constexpr std::array decimals_of_quantities{1, 2, 2, 1, 1, 0, 2, 0, 2, 0, 2, 0, 0};
+static_assert(decimals_of_quantities.size() == static_cast<std::size_t>(LessonQuantity::active_walls) + 1);
 static_assert(sizeof(StageLanguage::Quantities) / sizeof(std::string_view) == decimals_of_quantities.size(),
               "assets/languages: each quantity of a task has words");
 
@@ -33,8 +34,9 @@ std::string condition_words(const LessonCondition& condition, const LessonReadin
     return std::isnan(value) ? "–" : decimal_text(value, decimals_of_quantities.at(index));
   };
   const StageLanguage::Controls& all = language.controls;
-  const std::string is =
-      filled(words_of(language.quantities).at(index), number(lesson_quantity(condition.quantity).read(now)));
+  std::string value = number(lesson_quantity(condition.quantity).read(now));
+  if (condition.quantity == LessonQuantity::effort) value += has_joints(now.settings) ? " N·m" : " N";
+  const std::string is = filled(words_of(language.quantities).at(index), value);
   if (!std::isfinite(condition.greatest)) return filled(all.at_least, is, number(condition.least));
   if (!std::isfinite(condition.least)) return filled(all.at_most, is, number(condition.greatest));
   return filled(all.between, is, number(condition.least), number(condition.greatest));

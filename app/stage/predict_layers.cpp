@@ -84,7 +84,8 @@ void add_predict(const StageLayer& layer) {
 
 std::string predict_sentence(const StageContent& content) {
   const StageLanguage::Sentences& all = content.language.sentences;
-  if (!content.moment.has_rest && !content.guess.is_open) return std::string(all.no_rest);
+  if (!content.moment.has_rest && !content.guess.is_open)
+    return no_rest_sentence(content.settings.active, content.language);
   if (content.guess.missed_by) return filled(all.guess_was_off, slide_number(*content.guess.missed_by));
   if (!content.guess.is_open) return std::string(all.guess_is_tried);
   if (depth_in_wall(content.settings, content.moment.goal) <= 0.0) return std::string(all.guess_needs_wall);

@@ -31,9 +31,7 @@ struct Facts {
   bool has_motor_at_elbow() const { return settings.general.arm.motor == TwoLinkArm::Motor::elbow; }
   bool has_slack_string() const {
     if (!has_strings(settings) || !moment.in_contact) return false;
-    const Efforts efforts = efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force);
-    const auto end = efforts.begin() + settings.general.strings.count;
-    return std::any_of(efforts.begin(), end, [](double effort) { return effort < least_tension; });
+    return slack_strings(settings, efforts_of(settings, moment.handle, moment.wall_share + moment.ghost_force)) > 0;
   }
   // Naïve rendering presses into a wall that would not be touched.
   bool is_dragged_into_corner() const {
@@ -87,6 +85,11 @@ constexpr std::array sentences{
     Sentence{&Sentences::no_rest,
              [](const Facts& now) {
                return !now.moment.has_rest && now.is(StrategyId::naive) &&
+                      motor_reach(now.settings, now.moment.goal).count > 0;
+             }},
+    Sentence{&Sentences::no_rest_for_cure,
+             [](const Facts& now) {
+               return !now.moment.has_rest && now.is(StrategyId::anisotropic) &&
                       motor_reach(now.settings, now.moment.goal).count > 0;
              }},
     Sentence{&Sentences::out_of_reach,

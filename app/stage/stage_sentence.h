@@ -23,6 +23,11 @@ struct StageAudience {
 std::string stage_sentence(const Settings& settings, const StageMoment& moment, const StageAudience& audience,
                            const StageLanguage& language);
 
+// That a strategy with one motor comes to no rest.
+inline std::string no_rest_sentence(StrategyId id, const StageLanguage& language) {
+  return std::string(id == StrategyId::naive ? language.sentences.no_rest : language.sentences.no_rest_for_cure);
+}
+
 // What is smaller is shown as nothing, and called so.
 inline constexpr double least_shown_force = 0.005;  // [N]
 // Less hardly drags the handle, whichever way it points.

@@ -184,7 +184,7 @@ void add_why(const StageLayer& layer) {
 
 std::string why_sentence(const StageContent& content) {
   const ForceTriangle forces = triangle_of(content);
-  if (!forces.has_rest) return std::string(content.language.sentences.no_rest);
+  if (!forces.has_rest) return no_rest_sentence(content.settings.active, content.language);
   if (!forces.is_pushed) return std::string(content.language.sentences.why_needs_wall);
   return std::string(words_for(content.settings, forces, content.language).sentence);
 }

@@ -38,6 +38,9 @@ enum class LessonQuantity : std::uint8_t {
   turns,             // of the circle, completed
   belief,            // believed hand stiffness over the hand's true one
   hand,              // how stiff the hand is, as it was measured in this step [N/m]
+  effort,            // of the motor that works hardest, its magnitude [N, or N·m where motors turn joints]
+  slack_strings,     // of a handle on strings: how many pull nothing
+  active_walls,      // how many hold the proxy
 };
 
 // Met while the quantity lies between these, both ends included, in its unit.

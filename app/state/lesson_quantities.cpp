@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <variant>
@@ -28,6 +29,10 @@ bool knows_goal(const StageMoment& moment) noexcept {
 double ghost_force_size(const LessonReading& now) noexcept {
   const bool is_known = knows_goal(now.moment) && now.moment.knows_ghost_force;
   return is_known ? glm::length(now.moment.ghost_force) : not_known;
+}
+
+Efforts efforts_now(const LessonReading& now) noexcept {
+  return efforts_of(now.settings, now.moment.handle, now.moment.wall_share + now.moment.ghost_force);
 }
 
 constexpr std::array quantities{
@@ -73,6 +78,25 @@ constexpr std::array quantities{
                         }},
     LessonQuantityEntry{LessonQuantity::hand, "hand_N_per_m", "how stiff the hand is, as it was measured in this step",
                         [](const LessonReading& now) noexcept { return now.hand_k_u.value_or(not_known); }},
+    LessonQuantityEntry{LessonQuantity::effort, "effort",
+                        "of the motor that works hardest, either way: in N, or in N·m where motors turn joints",
+                        [](const LessonReading& now) noexcept {
+                          double hardest = 0.0;
+                          for (const double effort : efforts_now(now)) hardest = std::max(hardest, std::abs(effort));
+                          return hardest;
+                        }},
+    LessonQuantityEntry{LessonQuantity::slack_strings, "slack_strings", "how many of the strings pull nothing",
+                        [](const LessonReading& now) noexcept {
+                          return has_strings(now.settings)
+                                     ? static_cast<double>(slack_strings(now.settings, efforts_now(now)))
+                                     : not_known;
+                        }},
+    LessonQuantityEntry{
+        LessonQuantity::active_walls, "active_walls", "how many walls hold the hollow mark: 0, 1, or 2 in a corner",
+        [](const LessonReading& now) noexcept {
+          const StageMoment& moment = now.moment;
+          return static_cast<double>(std::popcount(acting_walls(now.settings, moment.proxy, moment.in_contact)));
+        }},
 };
 
 }  // namespace

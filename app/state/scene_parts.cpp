@@ -90,8 +90,10 @@ Settings with_part_at(Settings settings, ScenePart part, const Vector<2>& to, co
     case ScenePart::left_base:
     case ScenePart::right_base:
       if (general.mechanism == MechanismKind::pantograph) {
-        general.pantograph.bases[number - static_cast<std::size_t>(ScenePart::left_base)] =
-            within_reach(general.pantograph.proximal + general.pantograph.distal);
+        FiveBar moved = general.pantograph;
+        moved.bases[number - static_cast<std::size_t>(ScenePart::left_base)] =
+            within_reach(moved.proximal + moved.distal);
+        if (has_elbows_outward(moved, goal)) general.pantograph = moved;
       } else if (general.mechanism == MechanismKind::arm && part == ScenePart::left_base) {
         general.arm.base = within_reach(general.arm.links[0] + general.arm.links[1]);
       }

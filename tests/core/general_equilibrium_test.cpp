@@ -203,8 +203,9 @@ TEST(GeneralEquilibrium, TheCureRestsWithFullActuationsProxy) {
   EXPECT_GT(rests, 500);
 }
 
-// Whatever the hand's ellipse, the fully actuated proxy inside a ring is the one point of it that is nearest to the goal
-// in the compliance of hand and renderer together: no other point beside it is nearer, and the handle is where they say.
+// Whatever the hand's ellipse, the fully actuated proxy inside a ring is the one point of it that is nearest to the
+// goal in the compliance of hand and renderer together: no other point beside it is nearer, and the handle is where
+// they say.
 TEST(GeneralEquilibrium, InsideARingFullActuationAlwaysRests) {
   for (std::uint64_t seed = 0; seed < 2000; ++seed) {
     Random random(seed);

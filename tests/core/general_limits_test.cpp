@@ -183,6 +183,47 @@ TEST(GeneralLimits, TheBestTorqueForAnArmThatTurnsIsHardlyBetter) {
   EXPECT_GT(worst, 1e-4) << "but it is better";
 }
 
+// An arm whose handle is near the inner edge of its reach: with every motor it rests there, with the cure's one motor
+// nothing balances.
+TEST(GeneralLimits, NearTheEdgeOfTheWorkspaceTheCureMayHaveNoRest) {
+  Settings settings = arm_settings();
+  settings.wall_normal_angle = 153.339 / degrees_per_radian;
+  settings.general.arm = {
+      {0.227949921, 0.146630707}, {0.990, 0.762879}, TwoLinkArm::Elbow::left, TwoLinkArm::Motor::base};
+  settings.stiffnesses.k_u = 90.526;
+  settings.stiffnesses.k_r = 3930.59;
+  settings.stiffnesses.k_t = 3593.31;
+  settings.stiffnesses.k_c = 1756.5;
+  settings.general.k_u_second = 42.647;
+  settings.general.k_u_first_angle = 0.54 / degrees_per_radian;
+  const GeneralCoefficients coefficients = general_coefficients_of(settings);
+  const Vector<2> start(-0.004817934, 0.002419061);
+  const Vector<2> goal(0.049815239, -0.011922822);
+  EXPECT_TRUE(general_equilibrium_of(StrategyId::full, coefficients.scene, goal));
+  EXPECT_FALSE(general_equilibrium_of(StrategyId::anisotropic, coefficients.scene, goal));
+  TickState<2> state = state_at_start(start);
+  for (int k = 1; k <= 6000; ++k) tick(coefficients, glm::mix(start, goal, std::min(1.0, k / 1000.0)), state);
+  const auto& cured = state.strategies[index_of(StrategyId::anisotropic)];
+  const Vector<2> balance = coefficients.user_stiffness * (goal - cured.motion.position) + cured.force;
+  EXPECT_FALSE(glm::length(balance) < 1e-3 && cured.contact.status == ContactStatus::contact);
+}
+
+// Two strings pull against each other, two degrees out of line. Across them the law still asks for the wall's push, and
+// that takes dozens of times as much tension.
+TEST(GeneralLimits, StringsAllButInLineAreAskedForLargeTensions) {
+  Settings settings = string_settings();
+  settings.wall_normal_angle = 90.0 / degrees_per_radian;
+  const double aside = 0.3 * std::sin(1.0 / degrees_per_radian);
+  settings.general.strings.anchors = {Vector<2>(-0.3, aside), Vector<2>(0.3, aside)};
+  const GeneralScene scene = general_scene_of(settings);
+  const Vector<2> handle(0.0, 0.0);
+  const Contact<2> contact = solve_contact(handle, linearised(Wall<2>{{0.0, 0.01}, {0.0, 1.0}}, handle),
+                                           *actuation_at(scene.mechanism, handle), scene.compliances, 1.0);
+  EXPECT_GT(glm::length(contact.force), 1.0);
+  EXPECT_GT(contact.efforts[0], 25.0 * glm::length(contact.force));
+  EXPECT_NEAR(contact.efforts[0], contact.efforts[1], 1e-9);
+}
+
 // Fully actuated round an obstacle, hand and wall balance at the far face too. The slightest push ends that; what is told
 // is the rest at the face nearest to the goal.
 TEST(GeneralLimits, RoundAnObstacleTheFaceNearestToTheGoalIsTold) {

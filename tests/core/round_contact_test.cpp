@@ -105,8 +105,8 @@ TEST(RoundContact, WithStringsTheProxyLiesOnItsOwnFoot) {
   EXPECT_GT(slack, 50);
 }
 
-// Once a tick, a tangent plane at the last proxy would send the proxy of a handle that is deeper than two radii from the
-// centre to and fro for ever.
+// Once a tick, a tangent plane at the last proxy would send the proxy of a handle that is deeper than two radii from
+// the centre to and fro for ever.
 TEST(RoundContact, TheLoopRestsHoweverDeepTheHandleIsInARing) {
   for (const double depth_mm : {60.0, 70.5, 80.0, 90.0, 300.0}) {
     const GeneralCoefficients coefficients = general_coefficients_of(curve_settings());

@@ -168,7 +168,11 @@ Grid make_grid(std::span<const std::string> arguments, const Scene& scene) {
       }
     }
     if (!belongs(*range.key, scene)) {
-      refuse(argument, fmt::format("the scene has no key {}", dotted_name(*range.key)));
+      const std::string_view kind = kind_of(range.key->table, scene);
+      const std::string key = dotted_name(*range.key);
+      refuse(argument, belongs_to_kind(*range.key, kind)
+                           ? fmt::format("the scene has no key {}", key)
+                           : fmt::format("the key {} {}", key, wrong_kind_text(*range.key, kind)));
     }
     // Rows would name a stiffness that the hand does not have.
     if (!scene.stiffness_path.is_empty() && dotted_name(*range.key) == "user.k_u_N_per_m") {

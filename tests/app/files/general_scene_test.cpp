@@ -86,7 +86,14 @@ TEST(GeneralScene, WhatIsWrongIsSaidInOneLineWithItsPlace) {
        {"wall.radius_mm", "0.5"}},
       {general_scene("kind = \"circle\"\ncenter_mm = [0, 0]\nradius_mm = 30\nfree = \"in\"", axes),
        {"wall.free", "inside"}},
-      {general_scene(plane, arm, "k_u_first_deg = 30"), {"user.k_u_first_deg", "k_u_second_N_per_m"}},
+      {general_scene("kind = \"corner\"\npoint_mm = [0, 0]\nnormal_degs = [130, 40]", axes),
+       {"wall.normal_degs is unknown; did you mean 'wall.normals_deg'?"}},
+      {general_scene(plane,
+                     "kind = \"pantograph\"\nbases_mm = [[35, -170], [-35, -170]]\nproximal_mm = 110\n"
+                     "distal_mm = 140\nmotor = \"left\""),
+       {"device.bases_mm", "the first is the right one", "give the left base first"}},
+      {general_scene(plane, arm, "k_u_first_deg = 30"),
+       {"user.k_u_first_deg", "give k_u_second_N_per_m too, or leave it out"}},
       {general_scene(plane, axes, "k_u_second_N_per_m = 100\nk_u_path_N_per_m = [1, 2]\nk_u_times_s = [0, 1]"),
        {"user.k_u_path_N_per_m", "stiffer in one direction"}},
   };
@@ -98,6 +105,17 @@ TEST(GeneralScene, WhatIsWrongIsSaidInOneLineWithItsPlace) {
   }
   EXPECT_EQ(refusal(general_scene(plane, arm)), "");
   EXPECT_EQ(refusal(general_scene(corner, strings, "k_u_second_N_per_m = 100\nk_u_first_deg = 30")), "");
+}
+
+// A second stiffness that is there, but wrong, is not asked for.
+TEST(GeneralScene, WhoGivesASecondStiffnessIsNotToldToGiveOne) {
+  for (const char* const second : {"k_u_secnd_N_per_m = 50", "k_u_second_N_per_m = nan"}) {
+    const std::string said = refusal(general_scene(plane, arm, fmt::format("{}\nk_u_first_deg = 30", second)));
+    EXPECT_NE(said.find("k_u_sec"), std::string::npos) << said;
+    EXPECT_EQ(said.find("too, or leave it out"), std::string::npos) << said;
+  }
+  const std::string older = refusal(scene_with("[user]\n", "[user]\nk_u_second_N_per_m = 50\nk_u_first_deg = 30\n"));
+  EXPECT_EQ(older.find("too, or leave it out"), std::string::npos) << older;
 }
 
 TEST(GeneralScene, AFileOfFormat1HasNoneOfIt) {

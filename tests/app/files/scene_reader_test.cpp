@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "mass_kg = 0.1",
                 "mass_kg = 0.1\nbanana = 1.0",
                 "10:1",
-                {"the key device.banana is unknown", "[device] has kind, actuated_deg, base_mm"}},
+                {"the key device.banana is unknown", "[device] has kind, actuated_deg, mass_kg"}},
         BadFile{"KeyAtTheTop", "[wall]", "mass_kg = 1\n[wall]", "4:1", {"did you mean 'device.mass_kg'?"}},
         BadFile{"TableInTable", "[view]", "[wall.extra]\n[view]", "26:7", {"the key wall.extra is unknown"}},
         BadFile{"UnknownTable",

@@ -185,6 +185,30 @@ TEST(AnyDeviceStage, SaysThatThereIsNoRest) {
   EXPECT_EQ(cured.read().sentence, english_stage.sentences.cured);
 }
 
+// Near the edge of an arm's reach the cure may have none either, and waiting would be in vain.
+TEST(AnyDeviceStage, SaysThatTheCureHasNoRest) {
+  Settings settings = load_scene("arm").settings;
+  settings.wall_normal_angle = 153.339 * radians_per_degree;
+  settings.general.arm = {
+      {0.227949921, 0.146630707}, {0.990, 0.762879}, TwoLinkArm::Elbow::left, TwoLinkArm::Motor::base};
+  settings.stiffnesses.k_u = 90.526;
+  settings.stiffnesses.k_r = 3930.59;
+  settings.stiffnesses.k_t = 3593.31;
+  settings.stiffnesses.k_c = 1756.5;
+  settings.general.k_u_second = 42.647;
+  settings.general.k_u_first_angle = 0.54 * radians_per_degree;
+  settings.active = StrategyId::anisotropic;
+  StageCase shown = stage_case_at(settings, {0.049815239, -0.011922822});
+  EXPECT_FALSE(shown.moment.has_rest);
+  for (const StageLanguage* const language : stage_languages) {
+    shown.language = language;
+    for (const StageMode mode : {StageMode::none, StageMode::why}) {
+      shown.mode = mode;
+      EXPECT_EQ(shown.read().sentence, language->sentences.no_rest_for_cure);
+    }
+  }
+}
+
 TEST(AnyDeviceStage, SaysThatTheDeviceDoesNotReachThere) {
   const Scene scene = load_scene("arm");
   StageCase shown = case_of("arm", StrategyId::naive);
@@ -365,6 +389,11 @@ TEST(SceneParts, KeepABaseWithinReachOfTheHand) {
     const Vector<2> goal(0.01, -0.01);
     for (const Vector<2>& to : {Vector<2>(0.9, 0.3), Vector<2>(-2.0, 0.0), Vector<2>(0.0, -0.7)}) {
       const Settings moved = with_part_at(settings, ScenePart::left_base, to, goal);
+      // Not past a pantograph's right one: its elbows stay outward.
+      if (moved.general.mechanism == MechanismKind::pantograph) {
+        EXPECT_TRUE(has_elbows_outward(moved.general.pantograph, goal));
+        if (moved == settings && to.x > 0.0) continue;
+      }
       const Vector<2> base = scene_parts(moved, goal, 0.05).front().at;
       EXPECT_LE(glm::distance(base, goal), reach) << name;
       EXPECT_GE(glm::dot(glm::normalize(base - goal), glm::normalize(nearest_in_scene(to) - goal)), 1.0 - 1e-12)

@@ -308,6 +308,19 @@ TEST_F(StageControls, TellATask) {
   EXPECT_TRUE(control("task-1").words.starts_with("ghost force: ")) << control("task-1").words;
 }
 
+TEST_F(StageControls, TellAnEffortInItsUnit) {
+  Lesson lesson = load_lesson("an-arm");
+  lesson.steps[4].conditions = {{.quantity = LessonQuantity::effort, .least = 0.2},
+                                {.quantity = LessonQuantity::active_walls, .least = 1.0}};
+  begin_lesson(session, std::make_shared<const Lesson>(lesson));
+  show_lesson_step(session, 4);
+  ASSERT_EQ(lesson_step(*session.lesson).question, LessonQuestion::task);
+  const std::string effort = control("task-1").words;
+  EXPECT_TRUE(effort.starts_with("effort of the motor that works hardest: ")) << effort;
+  EXPECT_NE(effort.find(" N·m ("), std::string::npos) << effort;
+  EXPECT_TRUE(control("task-2").words.starts_with("acting walls: ")) << control("task-2").words;
+}
+
 TEST_F(StageControls, AreOnlyTheLessonsForAVisitor) {
   session.kiosk_visit = KioskVisit{.lessons = {shipped_lessons().front()}, .language = "en"};
   begin_lesson(session, shipped_lessons().front());

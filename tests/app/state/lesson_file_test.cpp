@@ -164,7 +164,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "ghost.toml:14:1: the key step: there is a task, but nothing to do it with; give controls or a slider"},
         Mistake{"ghost_force_N", "ghost_force",
                 "ghost.toml:18:26: the key step.until.quantity: 'ghost_force' is not one of depth_mm, force_N, "
-                "ghost_force_N, slide_mm, handle_to_target_mm, angle_deg, energy_mJ, turns, belief, hand_N_per_m; did "
+                "ghost_force_N, slide_mm, handle_to_target_mm, angle_deg, energy_mJ, turns, belief, hand_N_per_m, "
+                "effort, slack_strings, active_walls; did "
                 "you mean "
                 "'ghost_force_N'?"},
         Mistake{"at_most = 0.05", "at_most = 0.05, at_least = 1",

@@ -3,9 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "app/files/scene_file.h"
+#include "core/general_equilibrium.h"
 #include "core/prediction.h"
 
 namespace ghostforce::lesson_quantities_test {
@@ -65,6 +68,39 @@ TEST_F(LessonQuantities, OfRoundsAreKnownOnceThereIsOne) {
   EXPECT_EQ(value(LessonQuantity::energy), 5.0);
 }
 
+// They are what equilibrium says of the same rest.
+TEST_F(LessonQuantities, OfAnyDeviceAreThoseOfItsRest) {
+  struct Case {
+    const char* scene;
+    Vector<2> goal;
+    double slack;  // strings; below 0: there are none
+  };
+  for (const auto& [scene, goal, slack] :
+       {Case{"arm", {0.0141421, -0.0141421}, -1.0}, Case{"string", {0.00347296, -0.0196962}, 1.0},
+        Case{"corner", {0.022, -0.006}, -1.0}, Case{"curve", {0.034, -0.034}, -1.0}}) {
+    settings_ = load_scene(scene).settings;
+    goal_ = goal;
+    for (const Strategy& each : strategy_catalog()) {
+      if (each.id == StrategyId::full) continue;
+      settings_.active = each.id;
+      const auto rest = general_equilibrium_of(each.id, general_scene_of(settings_), goal_);
+      ASSERT_TRUE(rest);
+      double hardest = 0.0;
+      for (const double effort : rest->efforts) hardest = std::max(hardest, std::abs(effort));
+      EXPECT_NEAR(value(LessonQuantity::effort), hardest, 1e-9) << scene << " " << each.name;
+      EXPECT_EQ(value(LessonQuantity::active_walls), std::popcount(rest->active)) << scene << " " << each.name;
+      if (slack < 0.0) {
+        EXPECT_TRUE(std::isnan(value(LessonQuantity::slack_strings))) << scene;
+      } else {
+        EXPECT_EQ(value(LessonQuantity::slack_strings), slack) << scene << " " << each.name;
+      }
+    }
+    goal_ = load_scene(scene).goal.points.front();
+    EXPECT_EQ(value(LessonQuantity::active_walls), 0.0) << "in front of the wall";
+    EXPECT_EQ(value(LessonQuantity::effort), 0.0);
+  }
+}
+
 TEST_F(LessonQuantities, OfAMeasuredHandAreNotGuessed) {
   StageMoment moment = stage_moment_at_rest(settings_, goal_);
   moment.is_measured = true;
@@ -98,10 +134,10 @@ TEST_F(LessonQuantities, MeetAConditionAtBothOfItsEnds) {
 }
 
 TEST(LessonQuantityCatalog, HasARowForEach) {
-  for (int i = 0; i <= static_cast<int>(LessonQuantity::hand); ++i) {
+  for (int i = 0; i <= static_cast<int>(LessonQuantity::active_walls); ++i) {
     EXPECT_EQ(lesson_quantity(static_cast<LessonQuantity>(i)).id, static_cast<LessonQuantity>(i));
   }
-  EXPECT_EQ(lesson_quantity_catalog().size(), static_cast<std::size_t>(LessonQuantity::hand) + 1);
+  EXPECT_EQ(lesson_quantity_catalog().size(), static_cast<std::size_t>(LessonQuantity::active_walls) + 1);
 }
 
 }  // namespace

@@ -159,6 +159,7 @@ TEST(SweepRange, WrongOnesAreRefusedAndNothingIsWritten) {
       {{"device.rate_hz=100:200:4"}, "number 2 of 4 would be 133.333333333333"},
       {{"device.rate_hz=100.5:200:1"}, "number 1 of 1 would be 100.5"},
       {{"wall.normal_deg=1:2:3", "wall.normal_deg=1:2:4"}, "the key wall.normal_deg already has a range"},
+      {{"wall.radius_mm=10:20:3"}, "the key wall.radius_mm belongs to kind 'circle', and this wall is of kind 'plane'"},
       {{"wall.normal_deg=1:2:3", "user.k_u_N_per_m=1:2:3", "device.mass_kg=1:2:3"}, "one or two keys"},
       {{"wall.normal_deg=1:2:10000", "user.k_u_N_per_m=1:2:1001"}, "the sweep would have 10010000 points"},
       {{"goal.duration_s=1:1e5:4"}, "with goal.duration_s=33334 the key goal.duration_s: duration_s times rate_hz"},
