@@ -66,7 +66,7 @@ using OfWhatIsOpen = std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLes
 // A dialog that is in the catalog asks for their path first, or nobody chooses them by words.
 using WithPath = std::variant<DropFiles, SaveScene, SavePicture, SaveClip, SavePlots>;
 // Another Action in the catalog does the same.
-using OtherWay = std::variant<ChooseByNumber, ShowFace, NextLanguage, BeginCircleTest>;
+using OtherWay = std::variant<ChooseByNumber, UseMotors, ShowFace, NextLanguage, BeginCircleTest>;
 // A page has it.
 using InPageAlone = std::variant<ShowLink, ShowControls>;
 // No person does it.
