@@ -63,9 +63,7 @@ void add_corner_button(const StageLayer& layer, const StageButton& button, bool 
 
 // The mode that is on, and the motors that push.
 bool is_chosen(const StageContent& content, const StageAction& action) {
-  constexpr std::array motors{StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors};
-  const bool pushes =
-      content.motors_in_use && action == StageAction(motors[static_cast<std::size_t>(*content.motors_in_use)]);
+  const bool pushes = content.motors_in_use && action == StageAction(*content.motors_in_use);
   return pushes || action == StageAction(content.mode);
 }
 

@@ -274,11 +274,11 @@ class Arrangement {
   }
 
   // Where there is room for it; the next one stands beside it.
-  void add_small(std::vector<StageButton>& row, StageCommand command, std::string_view words, Vector<2>& corner) {
+  void add_small(std::vector<StageButton>& row, const StageAction& action, std::string_view words, Vector<2>& corner) {
     const double width =
         std::max(measure_(words, layout_.letters.words).x + points(2.0 * header_padding), layout_.least_target);
     const ScreenBox box{corner, corner + Vector<2>(width, target(header_height))};
-    if (box.most.y <= layout_.bottom) row.push_back({command, box, std::string(words)});
+    if (box.most.y <= layout_.bottom) row.push_back({action, box, std::string(words)});
     corner.x = box.most.x + points(header_gap);
   }
 
@@ -286,9 +286,9 @@ class Arrangement {
   void arrange_motors() {
     const StageLanguage::Device& words = words_.language.device;
     Vector<2> corner(layout_.margin, layout_.bottom - points(0.5 * gap) - target(header_height));
-    add_small(layout_.motors, StageCommand::first_motor, words.first_motor, corner);
-    add_small(layout_.motors, StageCommand::second_motor, words.second_motor, corner);
-    add_small(layout_.motors, StageCommand::both_motors, words.both_motors, corner);
+    add_small(layout_.motors, MotorsInUse::first, words.first_motor, corner);
+    add_small(layout_.motors, MotorsInUse::second, words.second_motor, corner);
+    add_small(layout_.motors, MotorsInUse::both, words.both_motors, corner);
   }
 
   bool arrange_buttons(CardWords shown) {

@@ -275,9 +275,10 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
   if (action == StageAction(StageCommand::fit)) return std::string(language.hovers.fit);
   if (action == StageAction(StageCommand::reset)) return std::string(language.hovers.reset);
   if (action == StageAction(StageCommand::reset_all)) return std::string(language.hovers.reset_all);
-  if (action == StageAction(StageCommand::first_motor) || action == StageAction(StageCommand::second_motor))
-    return std::string(language.device.about_one_motor);
-  if (action == StageAction(StageCommand::both_motors)) return std::string(language.device.about_both_motors);
+  if (const auto* const motors = std::get_if<MotorsInUse>(&action)) {
+    return std::string(*motors == MotorsInUse::both ? language.device.about_both_motors
+                                                    : language.device.about_one_motor);
+  }
   if (action == StageAction(StageCommand::leave)) return std::string(language.hovers.leave_lesson);
   return {};
 }

@@ -43,12 +43,6 @@ std::optional<Action> action_of_command(StageCommand command, const MotorReport&
       return Restart{};
     case StageCommand::reset_all:
       return Restart{.with_scene_settings = true};
-    case StageCommand::first_motor:
-      return UseMotors{MotorsInUse::first};
-    case StageCommand::second_motor:
-      return UseMotors{MotorsInUse::second};
-    case StageCommand::both_motors:
-      return UseMotors{MotorsInUse::both};
     case StageCommand::motors:
       return action_of_motor_button(motors);
     case StageCommand::lessons:
@@ -80,6 +74,7 @@ std::optional<Action> action_of_button(const StageAction& button, const MotorRep
     std::optional<Action> operator()(StrategyId id) const { return ChooseStrategy{id}; }
     std::optional<Action> operator()(StageMode mode) const { return ToggleMode{mode}; }
     std::optional<Action> operator()(Face face) const { return ShowFace{face}; }
+    std::optional<Action> operator()(MotorsInUse motors) const { return UseMotors{motors}; }
     std::optional<Action> operator()(StageAnswer answer) const {
       return AnswerLesson{static_cast<std::size_t>(answer)};
     }

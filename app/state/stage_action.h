@@ -17,7 +17,7 @@ namespace ghostforce {
 
 // Something else than a strategy, a mode or a face that the stage can be asked for: the table of keys, the list of all
 // actions, the menu of what else there is to do, the words and controls beside the picture, a link to what is shown, the
-// full screen, the view that shows everything, the motion from its beginning, one motor of a device or both, the motors on or off, the picker of lessons;
+// full screen, the view that shows everything, the motion from its beginning, the motors on or off, the picker of lessons;
 // the step before, the next step of the mode or the lesson that is on; the end of the lesson; its next language; to
 // move its slider; to measure the hand, or use what was measured.
 enum class StageCommand : std::uint8_t {
@@ -30,9 +30,6 @@ enum class StageCommand : std::uint8_t {
   fit,
   reset,
   reset_all,
-  first_motor,
-  second_motor,
-  both_motors,
   motors,
   lessons,
   previous,
@@ -47,7 +44,7 @@ enum class StageCommand : std::uint8_t {
 enum class StageAnswer : std::uint8_t {};
 
 // What a press on a part of the stage asks for.
-using StageAction = std::variant<StrategyId, StageMode, Face, StageCommand, StageAnswer>;
+using StageAction = std::variant<StrategyId, StageMode, Face, MotorsInUse, StageCommand, StageAnswer>;
 
 // What is printed on the keys that do what some of the buttons do: they are not the same keys in every front.
 struct StageKeys {

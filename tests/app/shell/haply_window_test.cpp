@@ -142,23 +142,22 @@ TEST_F(HaplyWindow, DrawsItsLinksAndAPressOnAJointChoosesItsMotor) {
 
 TEST_F(HaplyWindow, ButtonsAboveTheStrategiesChooseTheMotors) {
   frames(2);
-  EXPECT_EQ(button_for(StageCommand::first_motor), nullptr) << "nobody knows where its motors are";
+  EXPECT_EQ(button_for(MotorsInUse::first), nullptr) << "nobody knows where its motors are";
   confirm();
   lead_hand_to(outside);
   frames(3);
-  for (const StageCommand command :
-       {StageCommand::first_motor, StageCommand::second_motor, StageCommand::both_motors}) {
+  for (const MotorsInUse command : {MotorsInUse::first, MotorsInUse::second, MotorsInUse::both}) {
     ASSERT_NE(button_for(command), nullptr);
     EXPECT_LT(button_for(command)->box.most.y, button_for(StrategyId::naive)->box.least.y);
   }
-  click_on(StageCommand::second_motor);
+  click_on(MotorsInUse::second);
   frames(3);
   EXPECT_EQ(session().device_motor, 1U);
   EXPECT_EQ(motors().pushing_motor, 1U);
-  click_on(StageCommand::both_motors);
+  click_on(MotorsInUse::both);
   frames(3);
   EXPECT_EQ(session().settings.active, StrategyId::full);
-  click_on(StageCommand::first_motor);
+  click_on(MotorsInUse::first);
   frames(3);
   EXPECT_EQ(session().device_motor, 0U);
   EXPECT_EQ(session().settings.active, StrategyId::naive) << "the strategy that renders as if both were there";
