@@ -57,8 +57,9 @@ struct DoctorOptions {
   std::optional<std::string> calibration;
 };
 
-std::array<InputMaker<FalconInput>, 2> falcon_kinds(const FtdiLinkOptions& cable) {
-  return {falcon_kind(cable), InputMaker<FalconInput>{virtual_falcon_kind, virtual_falcon_kind.make}};
+InputMaker<FalconInput> falcon_kind_of(const DoctorOptions& options) {
+  if (options.input == virtual_falcon_kind.name) return {virtual_falcon_kind, virtual_falcon_kind.make};
+  return falcon_kind(options.devices.cables().falcon);
 }
 
 bool is_somebody_there() {
@@ -171,20 +172,14 @@ void refuse_results_without_measuring(const DoctorOptions& options) {
     throw Failure(ExitCode::wrong_call, "-o and --calibration are for a measurement; add --measure");
 }
 
-const InputMaker<FalconInput>& falcon_kind_of(const DoctorOptions& options,
-                                              const std::array<InputMaker<FalconInput>, 2>& kinds) {
-  return *std::ranges::find(kinds, options.input, &InputKind::name);
-}
-
 int measure_falcon(const DoctorOptions& options) {
-  const auto kinds = falcon_kinds(options.devices.cables().falcon);
   const std::optional<FirmwareImage> firmware = options.devices.read_firmware_file();
   const InputOptions input = options.devices.input_options(firmware);
   return measure_with_doctor({.firmware = firmware,
                               .falcon = input.falcon,
                               .injected_fault = input.injected_fault,
                               .cable = options.devices.cables().falcon,
-                              .is_virtual = falcon_kind_of(options, kinds).hand_is_simulated,
+                              .is_virtual = falcon_kind_of(options).hand_is_simulated,
                               .report = options.report,
                               .calibration = options.calibration});
 }
@@ -203,8 +198,7 @@ int examine_falcon(const DoctorOptions& options) {
   diagnosis.realtime = request_realtime();
   const double wait_s = options.wait_s.value_or(is_somebody_there() ? wait_on_terminal_s : 0.0);
   {
-    const auto kinds = falcon_kinds(options.devices.cables().falcon);
-    const std::unique_ptr<FalconInput> input = falcon_kind_of(options, kinds).make(Scene{}, input_options);
+    const std::unique_ptr<FalconInput> input = falcon_kind_of(options).make(Scene{}, input_options);
     LiveLine live(is_somebody_there());
     diagnosis.report = examine(*input, wait_s, [&](const FalconReport& report) {
       stop_if_interrupted();

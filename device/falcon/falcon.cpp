@@ -23,10 +23,6 @@ FalconFault fault_of(BootFault fault) noexcept {
   return boot_faults[static_cast<std::size_t>(fault)];
 }
 
-MotorKeeper::Options keeper_options(const FalconOptions& options) {
-  return {options.debts, options.is_virtual ? nullptr : options.when_left_pushing};
-}
-
 }  // namespace
 
 Falcon::Falcon(std::unique_ptr<FalconLink> link, FalconOptions options)

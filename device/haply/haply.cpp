@@ -26,10 +26,6 @@ constexpr int most_slow_replies = 10;
 // Below a thousandth of a step of any board's duty: what rounding leaves of a motor that is not used [N·m].
 constexpr double no_torque = 1e-7;
 
-MotorKeeper::Options keeper_options(const HaplyOptions& options) {
-  return {options.debts, options.is_virtual ? nullptr : options.when_left_pushing};
-}
-
 bool are_near(const std::array<double, 2>& a, const std::array<double, 2>& b, double reach) noexcept {
   return std::abs(a[0] - b[0]) <= reach && std::abs(a[1] - b[1]) <= reach;
 }

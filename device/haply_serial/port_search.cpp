@@ -114,4 +114,12 @@ std::vector<SerialPortFound> list_serial_ports(const SerialPortPlaces& places) n
   }
 }
 
+const SerialPortFound* find_port(std::span<const SerialPortFound> ports, const std::string& node) {
+  const auto port = std::ranges::find_if(ports, [&node](const SerialPortFound& each) {
+    std::error_code gone;
+    return fs::canonical(each.path, gone) == node;
+  });
+  return port == ports.end() ? nullptr : &*port;
+}
+
 }  // namespace ghostforce

@@ -52,4 +52,8 @@ struct SerialPortFound {
 // By their paths.
 std::vector<SerialPortFound> list_serial_ports(const SerialPortPlaces& places = {}) noexcept;
 
+// The one of them whose node this is, a path with all links followed. Null: it is not among them. May throw
+// std::bad_alloc.
+const SerialPortFound* find_port(std::span<const SerialPortFound> ports, const std::string& node);
+
 }  // namespace ghostforce

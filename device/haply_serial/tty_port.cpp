@@ -75,12 +75,9 @@ Target target_at(const std::string& path, const std::vector<SerialPortFound>& po
   Target target;
   target.node = std::filesystem::canonical(path, error).string();
   if (error) return {open_fault_of(error.value())};
-  const auto port = std::ranges::find_if(ports, [&target](const SerialPortFound& each) {
-    std::error_code gone;
-    return std::filesystem::canonical(each.path, gone) == target.node;
-  });
+  const SerialPortFound* const port = find_port(ports, target.node);
   // A person's name for it stays the same where the terminal behind it does not.
-  target.serial = port == ports.end() || port->serial.empty() ? path : port->serial;
+  target.serial = port == nullptr || port->serial.empty() ? path : port->serial;
   return target;
 }
 

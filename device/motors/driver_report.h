@@ -1,11 +1,18 @@
-// What the reports of all drivers with motors say by the same names: FalconReport, HaplyReport. Each has states and
-// faults of its own; among them are idle, absent and fault, none, and all that a link may have. Plain functions, any
-// thread; never allocate or throw.
+// What the options and reports of all drivers with motors say by the same names: FalconReport, HaplyReport. Each has
+// states and faults of its own; among them are idle, absent and fault, none, and all that a link may have. Plain
+// functions, any thread; never allocate or throw.
 #pragma once
 
 #include "device/motors/device_link.h"
+#include "device/motors/motor_keeper.h"
 
 namespace ghostforce {
+
+// Of a virtual device nobody is told that it was left pushing.
+template <typename DriverOptions>
+MotorKeeper::Options keeper_options(const DriverOptions& options) {
+  return {options.debts, options.is_virtual ? nullptr : options.when_left_pushing};
+}
 
 // As a driver calls it. A device that is not there is no fault.
 template <typename Fault>

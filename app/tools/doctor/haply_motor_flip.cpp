@@ -21,11 +21,8 @@ DeviceSerial serial_of_board(const std::string& path, std::span<const SerialPort
                     fmt::format("{} is not there; plug the board in, or name another port with --haply-port",
                                 quoted_text(path, longest_path)));
     }
-    const auto port = std::ranges::find_if(ports, [&node](const SerialPortFound& each) {
-      std::error_code gone;
-      return std::filesystem::canonical(each.path, gone) == node;
-    });
-    return port == ports.end() ? DeviceSerial() : device_serial_of(port->serial);
+    const SerialPortFound* const port = find_port(ports, node.string());
+    return port == nullptr ? DeviceSerial() : device_serial_of(port->serial);
   }
   const auto is_known = [](const SerialPortFound& port) { return !port.board.empty(); };
   const auto count = std::ranges::count_if(ports, is_known);
