@@ -183,22 +183,10 @@ TEST(GeneralLimits, TheBestTorqueForAnArmThatTurnsIsHardlyBetter) {
   EXPECT_GT(worst, 1e-4) << "but it is better";
 }
 
-// An arm whose handle is near the inner edge of its reach: with every motor it rests there, with the cure's one motor
-// nothing balances.
 TEST(GeneralLimits, NearTheEdgeOfTheWorkspaceTheCureMayHaveNoRest) {
-  Settings settings = arm_settings();
-  settings.wall_normal_angle = 153.339 / degrees_per_radian;
-  settings.general.arm = {
-      {0.227949921, 0.146630707}, {0.990, 0.762879}, TwoLinkArm::Elbow::left, TwoLinkArm::Motor::base};
-  settings.stiffnesses.k_u = 90.526;
-  settings.stiffnesses.k_r = 3930.59;
-  settings.stiffnesses.k_t = 3593.31;
-  settings.stiffnesses.k_c = 1756.5;
-  settings.general.k_u_second = 42.647;
-  settings.general.k_u_first_angle = 0.54 / degrees_per_radian;
-  const GeneralCoefficients coefficients = general_coefficients_of(settings);
+  const GeneralCoefficients coefficients = general_coefficients_of(with_arm_near_edge(arm_settings()));
   const Vector<2> start(-0.004817934, 0.002419061);
-  const Vector<2> goal(0.049815239, -0.011922822);
+  const Vector<2> goal = goal_near_edge;
   EXPECT_TRUE(general_equilibrium_of(StrategyId::full, coefficients.scene, goal));
   EXPECT_FALSE(general_equilibrium_of(StrategyId::anisotropic, coefficients.scene, goal));
   TickState<2> state = state_at_start(start);

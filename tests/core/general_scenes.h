@@ -60,4 +60,20 @@ inline Settings curve_settings() {
   return settings;
 }
 
+// An arm whose handle is near the inner edge of its reach, under a goal there: with every motor it rests, with the cure's
+// one motor nothing balances.
+inline constexpr Vector<2> goal_near_edge{0.049815239, -0.011922822};
+inline Settings with_arm_near_edge(Settings settings) {
+  settings.wall_normal_angle = 153.339 / degrees_per_radian;
+  settings.general.arm = {
+      {0.227949921, 0.146630707}, {0.990, 0.762879}, TwoLinkArm::Elbow::left, TwoLinkArm::Motor::base};
+  settings.stiffnesses.k_u = 90.526;
+  settings.stiffnesses.k_r = 3930.59;
+  settings.stiffnesses.k_t = 3593.31;
+  settings.stiffnesses.k_c = 1756.5;
+  settings.general.k_u_second = 42.647;
+  settings.general.k_u_first_angle = 0.54 / degrees_per_radian;
+  return settings;
+}
+
 }  // namespace ghostforce

@@ -19,6 +19,7 @@
 #include "app/state/stage_view.h"
 #include "core/scene_shape.h"
 #include "tests/app/stage/stage_dice.h"
+#include "tests/core/general_scenes.h"
 
 namespace ghostforce::any_device_test {
 namespace {
@@ -187,18 +188,9 @@ TEST(AnyDeviceStage, SaysThatThereIsNoRest) {
 
 // Near the edge of an arm's reach the cure may have none either, and waiting would be in vain.
 TEST(AnyDeviceStage, SaysThatTheCureHasNoRest) {
-  Settings settings = load_scene("arm").settings;
-  settings.wall_normal_angle = 153.339 * radians_per_degree;
-  settings.general.arm = {
-      {0.227949921, 0.146630707}, {0.990, 0.762879}, TwoLinkArm::Elbow::left, TwoLinkArm::Motor::base};
-  settings.stiffnesses.k_u = 90.526;
-  settings.stiffnesses.k_r = 3930.59;
-  settings.stiffnesses.k_t = 3593.31;
-  settings.stiffnesses.k_c = 1756.5;
-  settings.general.k_u_second = 42.647;
-  settings.general.k_u_first_angle = 0.54 * radians_per_degree;
+  Settings settings = with_arm_near_edge(load_scene("arm").settings);
   settings.active = StrategyId::anisotropic;
-  StageCase shown = stage_case_at(settings, {0.049815239, -0.011922822});
+  StageCase shown = stage_case_at(settings, goal_near_edge);
   EXPECT_FALSE(shown.moment.has_rest);
   for (const StageLanguage* const language : stage_languages) {
     shown.language = language;

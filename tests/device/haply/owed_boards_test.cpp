@@ -73,6 +73,18 @@ class OwedBoards : public testing::Test {
     ASSERT_TRUE(a.pushes());
     ASSERT_EQ(report().owed_serial.text(), a.serial);
   }
+  // Another scene is chosen, and with it another driver, with the other port by --haply-port.
+  void name_b_while_a_is_owed() {
+    HaplyOptions options;
+    options.debts = std::make_shared<StopDebts>();
+    driver = driver_with(options, &a);
+    push_with(a);
+    a.unplug();
+    run(0.05);
+    ASSERT_TRUE(a.pushes());
+    is_armed = false;
+    driver = driver_with(options, &b);
+  }
   const HaplyReport& report() const { return driver->report(); }
 
   SimulatedBoard a{"BOARD-A"};
@@ -117,16 +129,7 @@ TEST_F(OwedBoards, NobodyLooksForABoardThatIsOwedNothing) {
 
 // By --haply-port.
 TEST_F(OwedBoards, TheNamedOneIsUsedOnceTheOwedOneHasStopped) {
-  HaplyOptions options;
-  options.debts = std::make_shared<StopDebts>();
-  driver = driver_with(options, &a);
-  push_with(a);
-  a.unplug();
-  run(0.05);
-  ASSERT_TRUE(a.pushes());
-  // Another scene is chosen, and with it another driver.
-  is_armed = false;
-  driver = driver_with(options, &b);
+  name_b_while_a_is_owed();
   a.plug();
   EXPECT_GE(ms_until([&] { return !a.pushes(); }, 1.0), 0);
   EXPECT_GE(ms_until([&] { return report().state == HaplyState::zero_pose; }, 1.0), 0);
@@ -140,14 +143,7 @@ TEST_F(OwedBoards, TheNamedOneIsUsedOnceTheOwedOneHasStopped) {
 
 // It has been set up anew while it was away, and knows no zero but after another set up.
 TEST_F(OwedBoards, TheNamedOneIsUsedOnceAnOwedOneThatHasForgottenHasStopped) {
-  HaplyOptions options;
-  options.debts = std::make_shared<StopDebts>();
-  driver = driver_with(options, &a);
-  push_with(a);
-  a.unplug();
-  run(0.05);
-  is_armed = false;
-  driver = driver_with(options, &b);
+  name_b_while_a_is_owed();
   InjectedHaplyFault taken;
   taken.link = LinkFault::unplugged;
   taken.is_another_programs = true;
