@@ -51,8 +51,10 @@ def put_into(tree, copy, faults):
     for name in filter(None, names.split("\0")):
         (copy / name).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy2(tree / name, copy / name, follow_symlinks=False)
+    # Not copied: what builds the page lies there too, a whole system with its devices, which would be read for ever.
     if (tree / "build/downloads").exists():  # so that nothing is fetched again
-        shutil.copytree(tree / "build/downloads", copy / "build/downloads")
+        (copy / "build").mkdir()
+        (copy / "build/downloads").symlink_to(tree / "build/downloads")
     for fault in filter(lambda fault: is_in(tree, fault), faults):
         text = (copy / fault["file"]).read_text().replace(fault["original"], both(fault))
         (copy / fault["file"]).write_text(text if text.startswith(CHOICE) else CHOICE + text)
