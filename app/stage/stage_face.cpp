@@ -164,6 +164,17 @@ std::string finding_words(const MotorReport& motors, const StageLanguage::Device
   return {};
 }
 
+// What the hand at the device cannot see in the picture; empty: nothing.
+std::string_view words_about_motors(const MotorReport& motors, const StageLanguage::Device& words) {
+  if (!motors.has_motors) return {};
+  if (motors.state == SafetyState::off) {
+    const bool was_chosen = motors.reason == OffReason::none || motors.reason == OffReason::key;
+    return was_chosen ? words.motors_are_off : words.motors_went_off;
+  }
+  if (std::ranges::max(motors.heat) > 1.0) return words.motors_get_hot;
+  return motors.motor_is_at_limit ? words.motor_is_at_limit : std::string_view();
+}
+
 // What is not as it should be comes before what there is to see.
 std::string warning_of(const Session& session, const LoopReading& loop) {
   const StageLanguage::Warnings& words = stage_language(session.language).warnings;
@@ -192,7 +203,9 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     const auto& waits = stage_language(session.language).motors.waits;
     return std::string(waits[static_cast<std::size_t>(loop.motors.obstacle) - 1]);
   }
-  if (loop.motors.motor_is_at_limit) return std::string(stage_language(session.language).device.motor_is_at_limit);
+  const std::string_view about = words_about_motors(loop.motors, stage_language(session.language).device);
+  const bool is_at_work = session.lesson || session.stage.mode != StageMode::none || session.stage.looks_back_to_s;
+  if (!about.empty() && (!is_off || !is_at_work) && !session.kiosk_visit) return std::string(about);
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
@@ -253,6 +266,13 @@ StageFace::Shown StageFace::live_in(const Session& session, const StageFrame& fr
   Shown shown{settings, stage_moment_between(settings, snapshot, goal, blend)};
   if (const auto target = target_of(session, frame.loop.motors)) {
     shown.moment = with_target(shown.moment, wall_of(settings), *target);
+  }
+  // What is felt is what the motors are told to give, not what they were asked for.
+  const MotorReport& motors = frame.loop.motors;
+  const bool gives_less = motors.is_saturated || motors.motor_is_at_limit || motors.gain < 1.0;
+  const bool is_felt_now = shown.moment.is_measured && !session.paused && !frame.shown.is_past;
+  if (is_felt_now && gives_less && shown.moment.in_contact && !shown.moment.knows_ghost_force) {
+    shown.moment.wall_share = motors.sent;
   }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);
   return shown;

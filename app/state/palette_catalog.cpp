@@ -88,6 +88,11 @@ std::string why_not(const Circumstances& now, const StartMeasuring&) {
   return refuse_unless(!is_on, now.language.refusals.is_so_already);
 }
 
+std::string why_not(const Circumstances& now, const AimAtTarget& action) {
+  if (!now.loop.motors.has_motors) return std::string(now.language.refusals.no_motors);
+  return refuse_unless(action.after != now.session.aims_at_target, now.language.refusals.is_so_already);
+}
+
 std::string why_not(const Circumstances& now, const LeaveLesson&) {
   return refuse_unless(now.session.lesson.has_value(), now.language.refusals.is_not_on);
 }
@@ -223,6 +228,8 @@ void add_experiments(Entries& entries) {
   entries.add(&Name::largest_drift, TurnWallToLargestDrift{});
   entries.add(&Name::switch_motor, SwitchMotor{});
   entries.group = ActionGroup::devices;
+  entries.add(&Name::aim_at_target, AimAtTarget{true});
+  entries.add(&Name::no_target, AimAtTarget{false});
   entries.add(&Name::start_measuring, StartMeasuring{});
   entries.add(&Name::start_recording, StartRecording{entries.now.session.recording_path});
   entries.add(&Name::stop_recording, StopRecording{});

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace ghostforce {
 namespace {
@@ -129,7 +130,7 @@ bool HaplyBench::obey_injected_fault() noexcept {
   if (wrong_.restarts) board_.restart();
   if (wrong_.is_another_programs) board_.take_over(address_of_another, duty_of_another);
   if (wrong_.spoils_torque) board_.spoil_next_torque();
-  if (wrong_.encoder_jump_degrees != 0.0) turn_encoder(0, wrong_.encoder_jump_degrees * radians_per_degree, 1.0);
+  leap_ = wrong_.encoder_jump_degrees * radians_per_degree;
   if (wrong_.program == BoardProgram::chatty) next_line_ns_ = lived_ns_ + line_interval_ns;
   return true;
 }
@@ -211,7 +212,9 @@ void HaplyBench::step() noexcept {
   const double error = wrong_.zero_pose_error_degrees * radians_per_degree;
   hand_.advance(lived_ns_, arms_, variant_.zero_pose() + Vector<2>{error, -error});
   const Vector<2> before = arms_.angles();
-  arms_.step(duration, torques_of(board_), hand_.pull());
+  const Vector<2> torques = torques_of(board_);
+  arms_.step(duration, torques, hand_.pull());
+  if (leap_ != 0.0 && torques != Vector<2>(0.0)) turn_encoder(0, std::exchange(leap_, 0.0), 1.0);
   if (wrong_.power_lost) return;
   for (std::size_t arm = 0; arm < 2; ++arm) {
     const auto i = static_cast<glm::length_t>(arm);

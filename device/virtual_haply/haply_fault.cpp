@@ -78,7 +78,7 @@ constexpr std::array haply_kinds{
                            set_haply<&InjectedHaplyFault::frozen_encoders, std::uint8_t{1}>},
     InjectedHaplyFaultKind{"frozen-encoders", "Both encoders stop counting.",
                            set_haply<&InjectedHaplyFault::frozen_encoders, std::uint8_t{3}>},
-    InjectedHaplyFaultKind{"encoder-jump", "The encoder of arm 1 jumps by 20°, once.",
+    InjectedHaplyFaultKind{"encoder-jump", "The encoder of arm 1 jumps by 20°, once, as soon as a motor pushes.",
                            set_haply<&InjectedHaplyFault::encoder_jump_degrees, 20>},
     InjectedHaplyFaultKind{"restarts", "The board restarts and forgets its set up and its angles, once.",
                            set_haply<&InjectedHaplyFault::restarts>},

@@ -60,7 +60,7 @@ struct InjectedHaplyFault {
   std::uint8_t reversed_motors = 0;  // bit 0: that of arm 1
   std::uint8_t frozen_encoders = 0;
   double encoder_share = 1.0;            // of the edges that there are, how many are made
-  double encoder_jump_degrees = 0.0;     // once, of arm 1
+  double encoder_jump_degrees = 0.0;     // once, of arm 1, as soon as a motor pushes
   double zero_pose_error_degrees = 0.0;  // by which the person holds each arm too far outwards
 
   friend bool operator==(const InjectedHaplyFault&, const InjectedHaplyFault&) = default;

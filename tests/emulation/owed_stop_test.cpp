@@ -150,6 +150,9 @@ TEST_F(OwedStopTest, AtTheEndOfTheProgramTheOwedOneIsStoppedAndNotOnlyTheOneInUs
   a.plug();
   b.plug();
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    is_armed = false;
+    ASSERT_TRUE(tick_until([&] { return !chip_a.pushes(); })) << "of the attempt before";
+    is_armed = true;
     ASSERT_TRUE(pushes_with(chip_a));
     a.unplug();
     ASSERT_TRUE(pushes_with(chip_b));

@@ -58,7 +58,7 @@ class PaletteCatalog : public testing::Test {
 using WithAmount = std::variant<HoldControl, MoveHandBy, MoveHandTo, LetGoOfHand, MoveGuessTo, TurnMotorTo, TurnWallTo,
                                 GoToLandscapePoint, MovePart, TurnLandscapeDial, LookBackTo, MoveSliderTo, NudgeSlider,
                                 MoveView, PanView, ChangeSpeed, ChangePlots, ChangeSafety, ChangeSpaceMouse,
-                                ChangeStiffnesses, Believe, ChangeCircle, InjectFault, AimAtTarget>;
+                                ChangeStiffnesses, Believe, ChangeCircle, InjectFault>;
 // They answer what stands on the screen, with its button beside it.
 using OfWhatIsOpen = std::variant<PressMeasuringButton, Confirm, GoOn, AnswerLesson, TakeReading, RevealHand,
                                   BelieveMeasurement, FollowNewest, ForgetLessons, Escape, CloseDialog, CloseNotice,

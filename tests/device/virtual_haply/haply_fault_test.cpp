@@ -182,6 +182,8 @@ TEST(HaplyFault, EncodersFreezeOrJump) {
   Set host;
   const double before = host.angle(host.exchange(), 0);
   host.inject("encoder-jump");
+  EXPECT_NEAR(host.angle(host.exchange(), 0), before, 0.2) << "no motor pushes";
+  host.exchange(0.02, 0.0);
   EXPECT_NEAR(host.angle(host.exchange(), 0), before + 20.0, 0.2);
   EXPECT_NEAR(host.angle(host.exchange(), 0), before + 20.0, 0.2) << "once";
 }
