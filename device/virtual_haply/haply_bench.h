@@ -112,7 +112,7 @@ class HaplyBench {
   InjectedHaplyFault wrong_;
   unsigned replies_ = 0;  // since the fault was asked for
   bool tears_packet_ = false;
-  double leap_ = 0.0;  // of the encoder of arm 1, as soon as a motor pushes [rad]
+  double leap_ = 0.0;              // of the encoder of arm 1, as soon as a motor pushes [rad]
   std::int64_t next_line_ns_ = 0;  // of a chatty program
 
   HaplyBoard board_;
