@@ -288,7 +288,11 @@ void add_plate(const StageLayer& layer, Role role, const ScreenBox& words, doubl
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const bool is_crossed = canvas.labels.obstacles().is_crossed(layout.sentence_box, Clearance::always);
-  if (content.lesson || is_crossed) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
+  ScreenBox plate = layout.sentence_box;
+  // Nor is the end of a link left over beside it, as beside the numbers.
+  const bool has_mechanism = content.settings.general.mechanism != MechanismKind::axes;
+  if (has_mechanism) plate.least.x = 0.0;
+  if (content.lesson || is_crossed) add_plate(layer, Role::sentence, plate, under_sentences);
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
