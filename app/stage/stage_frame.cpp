@@ -288,11 +288,14 @@ void add_plate(const StageLayer& layer, Role role, const ScreenBox& words, doubl
 void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const bool is_crossed = canvas.labels.obstacles().is_crossed(layout.sentence_box, Clearance::always);
-  ScreenBox plate = layout.sentence_box;
-  // Nor is the end of a link left over beside it, as beside the numbers.
-  const bool has_mechanism = content.settings.general.mechanism != MechanismKind::axes;
-  if (has_mechanism) plate.least.x = 0.0;
-  if (content.lesson || is_crossed) add_plate(layer, Role::sentence, plate, under_sentences);
+  if (content.lesson || is_crossed) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
+  if (content.lesson && content.settings.general.mechanism != MechanismKind::axes) {
+    // Between words and the picture's edge, the end of a link would be taken for a stray line.
+    ScreenBox margin = layout.sentence_box;
+    margin.most.x = margin.least.x - canvas.points(plate_padding);
+    margin.least.x = 0.0;
+    add_plate(layer, Role::sentence, margin, 1.0);
+  }
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }
