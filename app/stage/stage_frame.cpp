@@ -289,6 +289,13 @@ void add_sentence(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const bool is_crossed = canvas.labels.obstacles().is_crossed(layout.sentence_box, Clearance::always);
   if (content.lesson || is_crossed) add_plate(layer, Role::sentence, layout.sentence_box, under_sentences);
+  if (content.lesson && content.settings.general.mechanism != MechanismKind::axes) {
+    // Between words and the picture's edge, the end of a link would be taken for a stray line.
+    ScreenBox margin = layout.sentence_box;
+    margin.most.x = margin.least.x - canvas.points(plate_padding);
+    margin.least.x = 0.0;
+    add_plate(layer, Role::sentence, margin, 1.0);
+  }
   canvas.text(Role::sentence, layout.sentence_box.least, layout.sentence, layout.letters.sentence,
               content.warning.empty() ? content.theme.text : content.theme.problem);
 }

@@ -55,11 +55,15 @@ std::string progress_words(const Lesson& lesson, const LessonProgress& progress,
   const auto found = progress.lessons.find(progress_key(lesson));
   if (found == progress.lessons.end()) return filled(words.steps, lesson.steps.size());
   const LessonRecord& record = found->second;
-  // How many there are is not said: an answer that was asked for is no wrong one.
   const auto right =
       std::ranges::count_if(lesson.steps, [&](const LessonStep& step) { return record.right.contains(step.name); });
+  if (record.is_finished) {
+    const auto asked = std::ranges::count_if(
+        lesson.steps, [](const LessonStep& step) { return step.question != LessonQuestion::none; });
+    return std::string(words.done) + (right == 0 ? "" : " · " + filled(words.right_of, right, asked));
+  }
+  // How many there are is not said before the end: those to come are no wrong ones.
   const std::string score = right == 0 ? "" : " · " + filled(words.right, right);
-  if (record.is_finished) return std::string(words.done) + score;
   return filled(words.step, std::min(record.farthest + 1, lesson.steps.size()), lesson.steps.size()) + score;
 }
 
