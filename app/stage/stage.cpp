@@ -29,6 +29,7 @@ std::string sentence_of(const StageContent& content, const StageModeLayers* mode
   if (mode != nullptr) {
     if (std::string words = mode->sentence(content); !words.empty()) return words;
   }
+  if (!content.remark.empty()) return content.remark;
   return stage_sentence(content.settings, content.moment, content.audience, content.language);
 }
 

@@ -101,6 +101,7 @@ struct StageContent {
   std::optional<StageLesson> lesson{};
   StageSecrets hides{};
   std::string warning{};     // what must be said instead of the sentence; may be empty
+  std::string remark{};      // so too, where nothing is wrong and neither a lesson nor a mode speaks
   bool is_bare = false;      // the scene alone: no sentence, no large numbers, no buttons round it
   bool has_controls = true;  // else the buttons are left out, but for a lesson's: nobody can press them in a picture
   bool shows_menu = false;

@@ -169,7 +169,7 @@ std::string_view words_about_motors(const MotorReport& motors, const StageLangua
   if (!motors.has_motors) return {};
   if (motors.state == SafetyState::off) {
     const bool was_chosen = motors.reason == OffReason::none || motors.reason == OffReason::key;
-    return was_chosen ? words.motors_are_off : words.motors_went_off;
+    return was_chosen ? std::string_view() : words.motors_went_off;
   }
   if (std::ranges::max(motors.heat) > 1.0) return words.motors_get_hot;
   return motors.motor_is_at_limit ? words.motor_is_at_limit : std::string_view();
@@ -208,6 +208,16 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   if (!about.empty() && (!is_off || !is_at_work) && !session.kiosk_visit) return std::string(about);
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
+}
+
+// What the hand at a device needs to know more than what the moment would have to say; empty: nothing.
+std::string remark_of(const Session& session, const StageMoment& moment, const StageFrame& frame) {
+  const StageLanguage::Device& words = stage_language(session.language).device;
+  const MotorReport& motors = frame.loop.motors;
+  if (!motors.has_motors || session.kiosk_visit || session.paused || frame.shown.is_past) return {};
+  if (motors.state == SafetyState::off) return std::string(words.motors_are_off);
+  const bool is_unknown = moment.is_measured && moment.in_contact && !moment.knows_ghost_force;
+  return is_unknown && !moment.has_target ? std::string(words.aim_is_unknown) : std::string();
 }
 
 }  // namespace
@@ -311,6 +321,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
       .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(session, frame.loop),
+      .remark = remark_of(session, shown.moment, frame),
       .is_bare = frame.is_bare,
       .has_controls = frame.has_controls};
   if (session.lesson) {
