@@ -8,6 +8,7 @@
 
 #include "app/base/failure.h"
 #include "app/state/lesson_file.h"
+#include "app/state/stage_language.h"
 #include "tests/app/state/lesson_text.h"
 #include "tests/support/temporary_folder.h"
 
@@ -97,6 +98,20 @@ TEST_F(LessonProgressFile, IsNowhereWithoutAHome) {
   unsetenv("HOME");
   EXPECT_NO_THROW(save(LessonProgress{}));
   EXPECT_EQ(load(), LessonProgress{});
+}
+
+TEST(LessonProgressWords, SayOfHowManyQuestionsOnlyAtTheEnd) {
+  const Lesson lesson = load_lesson("an-arm");  // it asks four times
+  const auto words = [&](const LessonRecord& record, std::string_view language) {
+    LessonProgress progress;
+    progress.lessons["an-arm"] = record;
+    return progress_words(lesson, progress, stage_language(language).picker);
+  };
+  const std::set<std::string> right{"predict", "cure", "joint"};
+  EXPECT_EQ(words({.farthest = 6, .right = right, .is_finished = false}, "en"), "Step 7 of 8 · 3 right");
+  EXPECT_EQ(words({.farthest = 7, .right = right, .is_finished = true}, "en"), "Done · 3 of 4 right");
+  EXPECT_EQ(words({.farthest = 7, .right = right, .is_finished = true}, "es"), "Hecha · aciertos: 3 de 4");
+  EXPECT_EQ(words({.farthest = 7, .right = {}, .is_finished = true}, "en"), "Done");
 }
 
 }  // namespace
