@@ -30,7 +30,7 @@ constexpr std::array reasons{
                    "wall, then arm the motors again.",
                    false, true},
     OffReasonEntry{OffReason::loop_late, "loop_late", "late answer",
-                   "The device did not answer for 20 ms. Close other busy programs, and plug the device directly into "
+                   "The device answered too late. Close other busy programs, and plug the device directly into "
                    "the computer.",
                    true, true},
     OffReasonEntry{OffReason::window_stalled, "window_stalled", "window stalled",

@@ -184,7 +184,8 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   }
   if (loop.motors.may_still_push) {
     return session.kiosk_visit ? std::string(words.motors_may_still_push_for_visitors)
-                               : filled(words.motors_may_still_push, front_keys().device_status.shown);
+                               : filled(stage_language(session.language).device.motors_may_still_push,
+                                        front_keys().device_status.shown);
   }
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.waits_for_zero_pose && !session.kiosk_visit) {

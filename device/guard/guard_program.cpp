@@ -128,11 +128,12 @@ class Guard {
     // it is repeated, and counts where the chip has taken all of it.
     const std::int64_t began_ns = monotonic_ns();
     int stops = 0;
+    bool last_is_sent = false;
     for (;;) {
       if (set_up_and_stop(own_) || set_up_and_stop(inherited_)) ++stops;
       page_.state.store(stops >= enough_stops ? GuardState::stopped : GuardState::failing, std::memory_order_release);
-      if (stops == stops_before_last) send_last();
-      if (stops >= enough_stops) break;
+      if (stops >= stops_before_last && !last_is_sent) last_is_sent = send_last();
+      if (stops >= enough_stops && last_is_sent) break;
       const bool program_is_gone = wait(attempt_pause_ms);
       if (page_.has_ended.load() || (program_is_gone && monotonic_ns() - began_ns > insist_ns)) return;
       if (program_is_gone) poll(nullptr, 0, attempt_pause_ms);
@@ -167,10 +168,11 @@ class Guard {
     return usb_node::send(wire, page_.orders.out_endpoint, {page_.orders.stop.data(), page_.orders.stop_size});
   }
 
-  void send_last() noexcept {
+  // Whether all of it has gone.
+  bool send_last() noexcept {
+    if (!is_serial()) return true;
     const int wire = own_ >= 0 ? own_ : inherited_;
-    if (is_serial()) [[maybe_unused]]
-      const ssize_t ignored = write(wire, page_.orders.last.data(), page_.orders.last_size);
+    return write(wire, page_.orders.last.data(), page_.orders.last_size) == page_.orders.last_size;
   }
 
   GuardMemory& page_;

@@ -50,6 +50,7 @@ class Haply {
   static constexpr double probe_s = 0.15;   // for the answer to the first question; then it is no such board
   static constexpr double set_up_s = 0.02;  // after a set up, before the next packet
   static constexpr double stop_s = MotorKeeper::stop_s;  // without a reply: zeros go out
+  static constexpr double refused_again_s = 0.001;       // and again, where the port has not taken them
   static constexpr double give_up_s = 1.2;       // without a reply: longer than a board waits for the rest of a packet
   static constexpr double keep_alive_s = 0.003;  // after a reply, if nobody commands anything
   static constexpr double goodbye_s = 0.1;       // for the answers of a board that is let go

@@ -45,7 +45,8 @@ void Haply::send_zeros() noexcept {
   command_ = {};
   reader_.reset();
   note_stop();
-  send({});
+  // What the port has not taken is sent again at once, not when an answer to it would be late.
+  if (!send({})) zeros_ns_ -= static_cast<std::int64_t>((stop_s - refused_again_s) * 1e9);
 }
 
 // That the board has been told to stop, and may not have heard.

@@ -247,8 +247,11 @@ bool TtyPort::is_any_plugged_in(const StopDebts& owed) const noexcept {
 void TtyPort::close() noexcept {
   if (descriptor_ < 0) return;
   const std::int64_t deadline_ns = monotonic_ns() + stop_patience_ns;
-  const bool are_stopped = !may_push_ || insist_on_stop(deadline_ns);
-  if (is_still_port(descriptor_)) empty_output(may_push_ ? deadline_ns : 0);
+  bool are_stopped = !may_push_ || insist_on_stop(deadline_ns);
+  if (is_still_port(descriptor_)) {
+    const bool is_empty = empty_output(may_push_ ? deadline_ns : 0);
+    are_stopped = are_stopped && (is_empty || !may_push_);
+  }
   guard_.end(are_stopped);
   may_push_ = false;
   // The number of a file that is closed may be another file's at once: not while somebody writes by it.
@@ -282,17 +285,18 @@ bool TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
 }
 
 // What a board does not take is dropped: closing would wait for half a minute until it does.
-void TtyPort::empty_output(std::int64_t deadline_ns) noexcept {
+bool TtyPort::empty_output(std::int64_t deadline_ns) noexcept {
   int left = 0;
   while (ioctl(descriptor_, TIOCOUTQ, &left) == 0 && left > 0) {
     const std::int64_t now_ns = monotonic_ns();
     if (now_ns >= deadline_ns) {
       tcflush(descriptor_, TCOFLUSH);
-      return;
+      return false;
     }
     guard_.beat(now_ns);
     sleep_until_monotonic(now_ns + ns_per_ms);
   }
+  return true;
 }
 
 // --- Faults ----------------------------------------------------------------------------------------------------------

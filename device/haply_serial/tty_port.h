@@ -67,7 +67,7 @@ class TtyPort final : public SerialPort {
   bool await_input(std::int64_t longest_ns) noexcept;
   bool insist_on_stop(std::int64_t deadline_ns) noexcept;
   bool is_still_port(int file) const noexcept;
-  void empty_output(std::int64_t deadline_ns) noexcept;
+  bool empty_output(std::int64_t deadline_ns) noexcept;  // whether all of it has gone
   void failed(int error) noexcept;
   void set_fault(LinkFault fault) noexcept;
 

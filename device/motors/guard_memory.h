@@ -63,8 +63,6 @@ struct GuardMemory {
   // The guard's.
   std::atomic<std::int64_t> guard_beat_ns{0};
   std::atomic<GuardState> state{GuardState::none};
-  std::atomic<bool> has_priority{false};  // real-time, above the servo's
-  std::atomic<bool> memory_is_locked{false};
 };
 static_assert(std::atomic<std::int64_t>::is_always_lock_free && std::atomic<bool>::is_always_lock_free &&
               std::atomic<GuardState>::is_always_lock_free);

@@ -262,7 +262,8 @@ void Servo::follow_motor_line() noexcept {
   handle_.motor_angle = told_angle(*handle_.motor_angle);
   if (*handle_.motor_angle == settings_.actuated_angle) return;
   settings_.actuated_angle = *handle_.motor_angle;
-  update_coefficients(Change::steps);
+  const bool is_other_motor = handle_.pushing_motor != report_.motors.pushing_motor;
+  update_coefficients(is_other_motor ? Change::leads_over : Change::steps);
 }
 
 // The line has turned since the force was limited, or while it fades: the little that is left across it is no motor's.

@@ -102,13 +102,15 @@ std::optional<hapi::PerPort<double>> HaplyRig::ask_board(const hapi::PerPort<dou
 void HaplyRig::recover() {
   const bool has_forgotten = reader_.holds_address_alone();
   port_.write(hapi::zero_exchange());
-  if (has_forgotten) set_up();  // which stops motors where zeros no longer reach them
+  const bool is_set_up = has_forgotten && set_up();  // which stops motors where zeros no longer reach them
   forget_replies();
   next_ns_ = watched_ns_ = port_.now_ns();
   if (has_forgotten) {
     throw Failure(ExitCode::device_failed,
-                  "The board has forgotten how it was set up, for example after a power loss. Its motors were stopped. "
-                  "Check its power supply and cable, and start again.");
+                  fmt::format("The board has forgotten how it was set up, for example after a power loss. {} Check its "
+                              "power supply and cable, and start again.",
+                              is_set_up ? "Its motors were stopped."
+                                        : "Its motors may still push: pull the plug of their power supply."));
   }
 }
 
@@ -177,7 +179,7 @@ void HaplyRig::rest(double seconds) {
   for (const double end_s = now_s() + seconds; now_s() < end_s;) poll();
 }
 
-void HaplyRig::set_up() {
+bool HaplyRig::set_up() {
   hapi::SetUp set_up;
   for (const HaplyArm& arm : calibration_.arms) {
     set_up.motor_directions[arm.motor_port - 1U] = arm.motor_direction;
@@ -185,8 +187,9 @@ void HaplyRig::set_up() {
     set_up.offsets_deg[arm.encoder_port - 1U] = static_cast<float>(arm.offset_deg);
     set_up.counts_per_turn[arm.encoder_port - 1U] = static_cast<float>(arm.counts_per_turn);
   }
-  port_.write(hapi::encode(set_up));
+  const bool is_written = port_.write(hapi::encode(set_up));
   forget_replies();
+  return is_written;
 }
 
 // --- The person ---

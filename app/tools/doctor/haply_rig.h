@@ -76,7 +76,7 @@ class HaplyRig {
   // Has it done, and returns the mean of the encoders by port [degrees], once the arms are still.
   hapi::PerPort<double> read_still_at(const HaplyAction& action, std::string_view words);
   // Tells the board its set up: where the arms are now is the zero pose. Motors off.
-  void set_up();
+  bool set_up();  // whether the port has taken it
   // Motors off: one exchange, or so many seconds of them. Angles by port [degrees].
   hapi::PerPort<double> poll(bool is_paced = true);
   void rest(double seconds);

@@ -160,7 +160,7 @@ TEST_F(RehearsalWindow, WhoTurnsThemOffHasNothingToDismiss) {
   ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
   ASSERT_EQ(motors().reason, OffReason::key);
   EXPECT_EQ(motor_words(motors(), english_stage), "Motors are off");
-  EXPECT_EQ(motor_words(motors(), spanish_stage), "Motores parados");
+  EXPECT_EQ(motor_words(motors(), spanish_stage), "Los motores están parados");
   EXPECT_FALSE(action_of_motor_button(motors())) << "pressed in haste";
   frames(80, 20);
   EXPECT_EQ(motors().reason, OffReason::none);

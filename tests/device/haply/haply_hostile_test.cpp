@@ -273,6 +273,23 @@ TEST(HaplyHostile, WhateverHappensNothingIsSentThatMayNotBe) {
   EXPECT_GT(pushed_ticks, trials(3'000));
 }
 
+// The port refuses the zeros that a mute board is due, for as long as it takes to empty.
+TEST(HaplyHostile, ZerosThatThePortRefusesAreSentAgainAtOnce) {
+  BareHaply haply;
+  ASSERT_TRUE(haply.is_ready());
+  for (int i = 0; i < 20; ++i) haply.tick({0.5, 0.5}, true);
+  ASSERT_TRUE(haply.pushes());
+  InjectedHaplyFault mute;
+  mute.reply = HaplyReplyFault::lost;
+  haply.port->board().inject(mute);
+  haply.port->takes_nothing = true;
+  for (int i = 0; i < 25; ++i) haply.tick({0.5, 0.5}, true);
+  ASSERT_TRUE(haply.pushes());
+  haply.port->takes_nothing = false;
+  for (int i = 0; i < 3; ++i) haply.tick({0.5, 0.5}, true);
+  EXPECT_FALSE(haply.pushes());
+}
+
 // Nobody can be asked twice for the same: a port that takes nothing is no port that has taken a stop.
 TEST(HaplyHostile, APortThatTakesNothingIsAnnounced) {
   HeldHaply haply;
