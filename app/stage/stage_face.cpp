@@ -171,6 +171,7 @@ std::string_view words_about_motors(const MotorReport& motors, const StageLangua
     const bool was_chosen = motors.reason == OffReason::none || motors.reason == OffReason::key;
     return was_chosen ? std::string_view() : words.motors_went_off;
   }
+  if (motors.is_checking || motors.sent == Vector<2>(0.0)) return {};
   if (std::ranges::max(motors.heat) > 1.0) return words.motors_get_hot;
   return motors.motor_is_at_limit ? words.motor_is_at_limit : std::string_view();
 }
@@ -217,6 +218,7 @@ std::string remark_of(const Session& session, const StageMoment& moment, const S
   const MotorReport& motors = frame.loop.motors;
   if (!motors.has_motors || session.kiosk_visit || session.paused || frame.shown.is_past) return {};
   if (motors.state == SafetyState::off) return std::string(words.motors_are_off);
+  if (motors.is_checking) return std::string(words.motors_are_checked);
   const bool is_unknown = moment.is_measured && moment.in_contact && !moment.knows_ghost_force;
   return is_unknown && !moment.has_target ? std::string(words.aim_is_unknown) : std::string();
 }

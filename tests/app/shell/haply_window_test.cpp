@@ -196,7 +196,33 @@ TEST_F(HaplyWindow, SaysWhenTheMotorCanGiveNoMore) {
   ASSERT_EQ(motors().state, SafetyState::on) << static_cast<int>(motors().reason);
   EXPECT_TRUE(motors().motor_is_at_limit);
   EXPECT_NE(sentence().find("can give no more"), std::string::npos) << sentence();
+  const std::optional<double> shown = application_->stage_reading().numbers.force;
+  ASSERT_TRUE(shown);
+  EXPECT_NEAR(*shown, glm::length(motors().sent), 0.3) << "what is given, not what was asked for";
   EXPECT_DOUBLE_EQ(std::max(std::abs(port_->duties()[0]), std::abs(port_->duties()[1])), 1.0);
+}
+
+TEST_F(HaplyWindow, SaysWhatTheHandCannotSee) {
+  confirm();
+  lead_hand_to({-0.03, -0.01});
+  lead_hand_to(outside);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().is_ready; }));
+  frames(2);
+  EXPECT_TRUE(sentence().starts_with("Motors off: the wall is only simulated.")) << sentence();
+  act(ArmMotors{});
+  ASSERT_TRUE(frames_until(6.0, [&] { return motors().is_checking; }));
+  frames(2);
+  EXPECT_NE(sentence().find("hold the handle loosely"), std::string::npos) << sentence();
+  ASSERT_TRUE(frames_until(6.0, [&] { return motors().state == SafetyState::on; }));
+  lead_hand_to(inside);
+  EXPECT_TRUE(sentence().starts_with("Nobody knows where you aim")) << sentence();
+  act(AimAtTarget{true});
+  frames(3);
+  EXPECT_FALSE(sentence().starts_with("Nobody knows")) << sentence();
+  press(key::escape);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  frames(2);
+  EXPECT_TRUE(sentence().starts_with("Motors off:")) << sentence();
 }
 
 }  // namespace
