@@ -409,7 +409,7 @@ void Application::see_target() {
   if (!target) return;
   Settings settings = session_.settings;
   if (motors.held_k_r > 0.0) settings.stiffnesses.k_r = motors.held_k_r;
-  measure_against_target(*target, settings, !motors.is_saturated && motors.gain == 1.0, report_.snapshot);
+  measure_against_target(*target, settings, motors.gives_all(), report_.snapshot);
 }
 
 void Application::send() {

@@ -205,9 +205,10 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
     const auto& waits = stage_language(session.language).motors.waits;
     return std::string(waits[static_cast<std::size_t>(loop.motors.obstacle) - 1]);
   }
+  const bool is_at_work =
+      session.lesson || session.stage.mode != StageMode::none || session.stage.looks_back_to_s || session.kiosk_visit;
   const std::string_view about = words_about_motors(loop.motors, stage_language(session.language).device);
-  const bool is_at_work = session.lesson || session.stage.mode != StageMode::none || session.stage.looks_back_to_s;
-  if (!about.empty() && (!is_off || !is_at_work) && !session.kiosk_visit) return std::string(about);
+  if (!about.empty() && !(is_off && is_at_work)) return std::string(about);
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
@@ -282,9 +283,8 @@ StageFace::Shown StageFace::live_in(const Session& session, const StageFrame& fr
   }
   // What is felt is what the motors are told to give, not what they were asked for.
   const MotorReport& motors = frame.loop.motors;
-  const bool gives_less = motors.is_saturated || motors.motor_is_at_limit || motors.gain < 1.0;
   const bool is_felt_now = shown.moment.is_measured && !session.paused && !frame.shown.is_past;
-  if (is_felt_now && gives_less && shown.moment.in_contact && !shown.moment.knows_ghost_force) {
+  if (is_felt_now && !motors.gives_all() && shown.moment.in_contact && !shown.moment.knows_ghost_force) {
     shown.moment.wall_share = motors.sent;
   }
   if (session.stage.mode == StageMode::predict && guess_.is_revealing()) shown.moment = guess_.moment(session);

@@ -53,7 +53,7 @@ std::string why_not(const Circumstances& now, const ArmMotors&) {
   if (is_on_motor_button<ArmMotors>(motors)) return {};
   const std::string_view status_key = front_keys().device_status.shown;
   if (!motors.has_motors) return std::string(now.language.refusals.no_motors);
-  if (motors.may_still_push) return filled(now.language.warnings.motors_may_still_push, status_key);
+  if (motors.may_still_push) return filled(now.language.device.motors_may_still_push, status_key);
   if (motors.state != SafetyState::off) return std::string(now.language.refusals.motors_are_on);
   if (motors.reason != OffReason::none) return std::string(now.language.refusals.off_not_read);
   return filled(now.language.warnings.device_not_ready, status_key);

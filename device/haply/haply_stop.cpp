@@ -33,8 +33,11 @@ std::int64_t Haply::stop_ns() const noexcept {
   // A packet that the port does not take is waited for like one that is not answered.
   const bool is_due = replies_.is_waiting() || (keeper_.may_push() && is_unwritten_);
   if (phase_ != Phase::exchanging || !is_due) return std::numeric_limits<std::int64_t>::max();
+  // What the port has not taken is sent again at once, not when an answer to it would be late.
+  constexpr auto again_after_ns = static_cast<std::int64_t>(refused_again_s * 1e9);
   // While it may push, time runs also where nobody asks.
-  return std::max(keeper_.may_push() ? heard_ns_ : awaited_ns_, zeros_ns_) + stop_after_ns;
+  const std::int64_t since_ns = keeper_.may_push() ? heard_ns_ : awaited_ns_;
+  return std::max(since_ns + stop_after_ns, zeros_ns_ + (is_unwritten_ ? again_after_ns : stop_after_ns));
 }
 
 // For want of a reply. The board may be waiting for the rest of a packet: then this is it.
@@ -45,8 +48,7 @@ void Haply::send_zeros() noexcept {
   command_ = {};
   reader_.reset();
   note_stop();
-  // What the port has not taken is sent again at once, not when an answer to it would be late.
-  if (!send({})) zeros_ns_ -= static_cast<std::int64_t>((stop_s - refused_again_s) * 1e9);
+  send({});
 }
 
 // That the board has been told to stop, and may not have heard.

@@ -247,12 +247,9 @@ bool TtyPort::is_any_plugged_in(const StopDebts& owed) const noexcept {
 void TtyPort::close() noexcept {
   if (descriptor_ < 0) return;
   const std::int64_t deadline_ns = monotonic_ns() + stop_patience_ns;
-  bool are_stopped = !may_push_ || insist_on_stop(deadline_ns);
-  if (is_still_port(descriptor_)) {
-    const bool is_empty = empty_output(may_push_ ? deadline_ns : 0);
-    are_stopped = are_stopped && (is_empty || !may_push_);
-  }
-  guard_.end(are_stopped);
+  const bool is_told = may_push_ && insist_on_stop(deadline_ns);
+  const bool has_gone_out = !is_still_port(descriptor_) || empty_output(may_push_ ? deadline_ns : 0);
+  guard_.end(!may_push_ || (is_told && has_gone_out));
   may_push_ = false;
   // The number of a file that is closed may be another file's at once: not while somebody writes by it.
   const int file = descriptor_.exchange(-1);

@@ -46,6 +46,9 @@ struct MotorReport {
   double line_angle = 0.0;               // then: its direction now [rad]
   std::size_t pushing_motor = 0;         // and which of two motors that is, 0 or 1
   std::optional<LinkagePose> linkage{};  // of a device whose links move in the plane, as they stand
+
+  // The motors give all that they are asked for.
+  bool gives_all() const noexcept { return !is_saturated && gain == 1.0; }
 };
 static_assert(std::is_trivially_copyable_v<MotorReport>);
 

@@ -62,11 +62,14 @@ class HaplyWindow : public DrivenWindow {
     ASSERT_TRUE(frames_until(1.0, [&] { return haply().report().state == HaplyState::idle; }));
     port_->hold_zero_pose(false);
   }
-  void turn_on() {
+  void get_ready() {
     confirm();
     lead_hand_to({-0.03, -0.01});
     lead_hand_to(outside);
     ASSERT_TRUE(frames_until(1.0, [&] { return motors().is_ready; }));
+  }
+  void turn_on() {
+    get_ready();
     act(ArmMotors{});
     ASSERT_TRUE(frames_until(6.0, [&] { return motors().state == SafetyState::on; }));
   }
@@ -203,10 +206,7 @@ TEST_F(HaplyWindow, SaysWhenTheMotorCanGiveNoMore) {
 }
 
 TEST_F(HaplyWindow, SaysWhatTheHandCannotSee) {
-  confirm();
-  lead_hand_to({-0.03, -0.01});
-  lead_hand_to(outside);
-  ASSERT_TRUE(frames_until(1.0, [&] { return motors().is_ready; }));
+  get_ready();
   frames(2);
   EXPECT_TRUE(sentence().starts_with("Motors off: the wall is only simulated.")) << sentence();
   act(ArmMotors{});

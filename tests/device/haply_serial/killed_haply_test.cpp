@@ -117,7 +117,12 @@ TEST_F(TwoAtOnePort, TheSecondIsToldBusyAndDisturbsNobody) {
     const auto was_ended = [&] { return board.heard().truth.resets != resets; };
     EXPECT_TRUE(becomes([&] { return board.heard().packets.forces > forces + 200 || was_ended(); }));
     pushes_on = !was_ended();
-    program->send(SIGTERM);
+    if (pushes_on) {
+      expect_whole_packets();
+      ASSERT_NO_FATAL_FAILURE(send(SIGTERM));
+    } else {
+      program->send(SIGTERM);
+    }
     EXPECT_EQ(program->wait_for_end(), static_cast<int>(ExitCode::interrupted));
     pushes_on ? expect_well() : expect_zero();
   }

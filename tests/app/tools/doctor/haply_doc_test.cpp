@@ -1,5 +1,5 @@
 // docs/haply.md is what a person has in hand when a Haply 2DIY does not do what it should: it leaves out no fault that can
-// be tried, and no step on the way to motors that push.
+// be tried, and no key of a calibration.
 #include <gtest/gtest.h>
 
 #include <sstream>
