@@ -43,10 +43,6 @@ hapi::SetUp set_up_of(const HaplyCalibration& calibration) noexcept {
   return set_up;
 }
 
-std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept {
-  return {calibration.arms[0].offset_deg * radians_per_degree, calibration.arms[1].offset_deg * radians_per_degree};
-}
-
 }  // namespace
 
 Haply::Haply(std::unique_ptr<SerialPort> port, HaplyOptions options)
@@ -309,9 +305,10 @@ void Haply::follow_stillness() noexcept {
   still_ns_ = heard_ns_;
 }
 
-// Right after a set up the counters tell the angles that it has given them.
+// Right after a set up the counters tell the angles that it has given them. An answer that comes late is older.
 void Haply::judge_zero_pose() noexcept {
   if (!are_near(report_.angles, zero_pose_of(calibration_), zero_pose_deg * radians_per_degree)) {
+    if (since(phase_began_ns_) < quiet_s) return;
     report_.zero_pose = ZeroPose::refused;
     report_.state = HaplyState::zero_pose;
     return;

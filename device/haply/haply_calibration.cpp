@@ -79,6 +79,10 @@ constexpr std::array variants{
 
 }  // namespace
 
+std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept {
+  return {calibration.arms[0].offset_deg * radians_per_degree, calibration.arms[1].offset_deg * radians_per_degree};
+}
+
 std::span<const HaplyVariant> haply_variant_catalog() noexcept {
   return variants;
 }

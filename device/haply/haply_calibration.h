@@ -40,6 +40,9 @@ struct HaplyCalibration {
   friend bool operator==(const HaplyCalibration&, const HaplyCalibration&) = default;
 };
 
+// Angles of the arms in the zero pose [rad].
+std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept;
+
 struct HaplyVariant {
   std::string_view name;       // on the command line and in files
   std::string_view title;      // for people

@@ -91,8 +91,14 @@ HandleReading HaplyInput::read() noexcept {
   } else {
     speed_.forget();
   }
-  // Links that nobody knows are not drawn.
   if (!report.is_readable()) reading_.linkage.reset();
+  // Where nobody knows the links, they are shown as a person is to put them.
+  if (report.state == HaplyState::zero_pose) {
+    const HaplyCalibration& calibration = haply_.calibration();
+    if (const auto pose = pose_at(calibration.geometry, zero_pose_of(calibration))) {
+      reading_.linkage = linkage_of(*pose, motor_);
+    }
+  }
   reading_.speed = speed_.value();
   reading_.deadman_held = false;  // it has no button
   reading_.is_ready = report.is_readable() && report.encoders_move() && report.is_guarded;

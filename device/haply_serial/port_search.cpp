@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -89,6 +90,7 @@ std::vector<SerialPortFound> ports_of(const SerialPortPlaces& places) {
     port.vendor = usb_number_of(device / "idVendor");
     port.product = usb_number_of(device / "idProduct");
     port.serial = line_of(device / "serial");
+    port.socket = device.filename().string();
     port.product_name = line_of(device / "product");
     port.manufacturer = line_of(device / "manufacturer");
     port.board = board_of(port);
@@ -101,6 +103,14 @@ std::vector<SerialPortFound> ports_of(const SerialPortPlaces& places) {
 }
 
 }  // namespace
+
+std::string SerialPortFound::identity() const {
+  if (!serial.empty()) return serial;
+  constexpr std::size_t longest_make = std::string_view("2341:003e").size();
+  std::array<char, longest_make + 1> make{};
+  std::snprintf(make.data(), make.size(), "%04x:%04x", unsigned{vendor}, unsigned{product});
+  return std::string(make.data()) + " in socket " + socket;
+}
 
 std::span<const KnownBoard> known_board_catalog() noexcept {
   return boards;

@@ -38,6 +38,7 @@ struct SerialPortFound {
   std::uint16_t vendor = 0;
   std::uint16_t product = 0;
   std::string serial;  // empty: the device has none
+  std::string socket;  // where the device is plugged in, as the system numbers its USB sockets: 1-2.3
   std::string product_name;
   std::string manufacturer;
   std::string_view board;  // the title of a known one; empty: something else
@@ -47,6 +48,10 @@ struct SerialPortFound {
   uid_t owner = 0;
   gid_t group = 0;
   mode_t mode = 0;  // permission bits
+
+  // What tells the device from others: its serial number; where it has none, its make and its socket. Two of one make
+  // that change places are then taken for each other, and one that comes back in another socket for another one.
+  std::string identity() const;
 };
 
 // By their paths.

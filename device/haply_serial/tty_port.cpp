@@ -76,8 +76,8 @@ Target target_at(const std::string& path, const std::vector<SerialPortFound>& po
   target.node = std::filesystem::canonical(path, error).string();
   if (error) return {open_fault_of(error.value())};
   const SerialPortFound* const port = find_port(ports, target.node);
-  // A person's name for it stays the same where the terminal behind it does not.
-  target.serial = port == nullptr || port->serial.empty() ? path : port->serial;
+  // Behind a path there may be another device at any time: nothing better is known of what is not on USB.
+  target.serial = port == nullptr ? path : port->identity();
   return target;
 }
 

@@ -43,7 +43,7 @@ class TtyPort final : public SerialPort {
   bool is_any_plugged_in(const StopDebts& owed) const noexcept override;
   void close() noexcept override;
   LinkFault fault() const noexcept override { return fault_; }
-  // The number of the USB device; where it has none, the path by which the port is named.
+  // SerialPortFound::identity(); of a port that is not on USB, the path by which it is named.
   std::string_view serial() const noexcept override { return serial_; }
 
   bool is_guarded() const noexcept override { return !options_.is_guarded || guard_.is_watching(monotonic_ns()); }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 namespace ghostforce {
 namespace {
 
@@ -36,6 +38,8 @@ void VirtualHaplyHand::advance(std::int64_t now_ns, const HaplyArms& arms, const
     plan_ = plans_.latest();
     plan_start_ns_ = now_ns;
     plan_start_ = pull_.goal;
+    HaplyHandPlan::Waypoint& first = plan_.waypoints[0];
+    first.time = std::max(first.time, glm::distance(plan_start_, first.goal) / plan_.greatest_speed);
   }
   const double turn = turning_speed * seconds_of(now_ns - last_ns_);
   last_ns_ = now_ns;

@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "core/conventions.h"
 #include "core/latest_value.h"
@@ -33,6 +34,8 @@ struct HaplyHandPlan {
   std::size_t count = 0;
   double stiffness = 100.0;  // k_u; 0 lets go [N/m]
   double damping = 3.0;      // [N·s/m]
+  // With which the goal goes to the first waypoint at most, whatever its time [m/s].
+  double greatest_speed = std::numeric_limits<double>::infinity();
 
   // At most so many as there are places; what is too much is left out.
   void add(const Waypoint& waypoint) noexcept {

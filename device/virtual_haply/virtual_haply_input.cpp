@@ -7,6 +7,9 @@
 namespace ghostforce {
 namespace {
 
+// As quick as a hand is that holds a handle: a press far away is no leap of the encoders [m/s].
+constexpr double hand_speed = 0.5;
+
 HaplyOptions completed(HaplyOptions options) {
   options.is_virtual = true;
   options.debts.reset();  // of real ones
@@ -44,6 +47,7 @@ void VirtualHaplyInput::lead() noexcept {
   const Vector<2> reached = nearest_within_reach(usual_.geometry, usual_.center, plane_.in_workspace(goal_));
   HaplyHandPlan plan = haply_hand_at(reached, move_s_);
   plan.stiffness = k_u_;
+  plan.greatest_speed = hand_speed;
   board->lead_hand(plan);
 }
 

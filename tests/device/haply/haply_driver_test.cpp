@@ -90,6 +90,15 @@ TEST(HaplyDriver, DoesNotTakeItsWordFromAPersonWhoMoves) {
   EXPECT_TRUE(haply.set_zero_pose()) << "a person may say it again";
 }
 
+// The first answers after the set up are then to questions that were asked before it.
+TEST(HaplyDriver, ABoardWhoseAnswersAreLateIsNotSaidToCountWrongly) {
+  HeldHaply haply;
+  ASSERT_TRUE(haply.run_until(1.0, [&] { return haply.haply().state == HaplyState::zero_pose; }));
+  haply.inject("late-50ms");
+  EXPECT_TRUE(haply.set_zero_pose());
+  EXPECT_FALSE(haply.motors().is_ready) << "but nobody may arm it";
+}
+
 // Once, wrongly, and once more: all that follows counts from the newest.
 TEST(HaplyDriver, TheZeroPoseMayBeSetAgain) {
   HeldHaply haply;

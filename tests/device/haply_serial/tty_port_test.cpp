@@ -194,6 +194,34 @@ TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
   EXPECT_EQ(chosen.serial(), "ONE");
 }
 
+// Many boards have no serial number, and what is plugged in where one was gets its path.
+TEST(TtyPort, ABoardWithoutANumberIsKnownByItsMakeAndItsSocket) {
+  const PseudoTerminal terminal;
+  const auto identity = [&](const std::string& name, const MockUsbDevice& device) {
+    const MockSystem system;
+    system.add(name, device, terminal.path());
+    TtyPort port({.path = system.node(name), .is_guarded = false, .places = system.places()});
+    EXPECT_EQ(port.open(), LinkFault::none);
+    return std::string(port.serial());
+  };
+  const std::string board = identity("ttyACM0", {"2341", "003e"});
+  EXPECT_EQ(board, "2341:003e in socket 1-ttyACM0");
+  StopDebts owed;
+  owed.add(device_serial_of(board));
+  const auto is_owed = [&](const std::string& name, const MockUsbDevice& device) {
+    const MockSystem system;
+    system.add(name, device, terminal.path());
+    TtyPort port({.is_guarded = false, .places = system.places()});
+    const bool is_there = port.is_any_plugged_in(owed);
+    EXPECT_EQ(port.open_first(owed) == LinkFault::none && port.serial() == board, is_there);
+    return is_there;
+  };
+  EXPECT_TRUE(is_owed("ttyACM0", {"2341", "003e"}));
+  EXPECT_FALSE(is_owed("ttyACM0", {"0403", "6001"})) << "a modem gets no zeros";
+  EXPECT_FALSE(is_owed("ttyACM1", {"2341", "003e"})) << "another such board does not pay for it";
+  EXPECT_FALSE(is_owed("ttyACM0", {"2341", "003e", "ABC"}));
+}
+
 TEST(TtyPort, KnowsADebtByThePathToo) {
   const PseudoTerminal terminal;
   StopDebts owed;

@@ -50,6 +50,20 @@ TEST(HaplyHand, FollowsItsPlanInStraightLines) {
   EXPECT_LT(glm::length(held.arms.handle() - held.hand.pull().goal), 1e-3);
 }
 
+TEST(HaplyHand, GoesNoFasterThanItIsAllowedTo) {
+  Held held;
+  HaplyHandPlan plan = haply_hand_at(variant().geometry.middle() + Vector<2>(0.03, 0.0));
+  plan.greatest_speed = 0.5;
+  held.hand.follow(plan);
+  held.live(30 * ms + 50'000);
+  EXPECT_NEAR(held.hand.pull().goal.x - variant().geometry.middle().x, 0.015, 1e-4);
+  // A new plan begins where the hand is by then.
+  plan.waypoints[0].goal = variant().geometry.middle();
+  held.hand.follow(plan);
+  held.live(15 * ms + 50'000);
+  EXPECT_NEAR(held.hand.pull().goal.x - variant().geometry.middle().x, 0.0075, 1e-4);
+}
+
 TEST(HaplyHand, HoldsTheZeroPoseAndComesBack) {
   Held held;
   held.hand.hold_zero_pose(true);
