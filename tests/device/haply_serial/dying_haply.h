@@ -32,7 +32,7 @@ namespace ghostforce {
 
 class DyingHaplyTest : public testing::Test {
  protected:
-  static constexpr std::chrono::milliseconds patience{60'000};  // of a machine that is busy with other things
+  static constexpr std::chrono::milliseconds patience{600'000};  // of a machine that is busy with other things
 
   // A program at the board, which is in its hand's zero pose.
   void launch(const std::string& name, const std::string& detail = "") {

@@ -1,4 +1,5 @@
 // A device whose motor pushes along a line that turns with its handle.
+#include <algorithm>
 #include <cmath>
 
 #include "tests/device/servo/puppet_servo.h"
@@ -37,6 +38,34 @@ TEST_F(TurningLine, AMotorWhoseLineTurnsPushesAlongWhereTheLineIsNow) {
   Sample newest;
   for (Sample sample; servo_->take_sample(sample);) newest = sample;
   EXPECT_EQ(newest.settings.actuated_angle, motors().line_angle);
+}
+
+// At another motor, whose line is another one: as from one strategy to another.
+TEST_F(TurningLine, FromOneMotorToTheOtherTheForceLeadsOver) {
+  puppet_->reading.motor_angle = 0.3;
+  turn_on();
+  puppet_->reading.position = inside;
+  run(0.3);
+  const Vector<2> before = puppet_->pushed;
+  puppet_->reading.motor_angle = 1.3;
+  puppet_->reading.pushing_motor = 1;
+  Settings expected = command_.settings;
+  step();
+  expected.actuated_angle = motors().line_angle;
+  const Vector<2> after = wanted(inside, expected);
+  ASSERT_GT(glm::distance(before, after), 0.1);
+  double longest_step = glm::distance(before, puppet_->pushed);
+  int steps = 1;
+  while (glm::distance(puppet_->pushed, after) > 1e-9 && steps < 1000) {
+    const Vector<2> last = puppet_->pushed;
+    step();
+    longest_step = std::max(longest_step, glm::distance(last, puppet_->pushed));
+    ++steps;
+  }
+  EXPECT_LT(longest_step, 0.05 * glm::distance(before, after));
+  EXPECT_GE(steps, 100);
+  EXPECT_LE(steps, 200);
+  EXPECT_EQ(motors().state, SafetyState::on);
 }
 
 TEST_F(TurningLine, NoTonesSoundAlongALineThatTurns) {
