@@ -6,6 +6,8 @@
 // h = 1 is as warm as it becomes in the end where it gives f_c all the time, which it may give for ever. One time
 // constant stands for winding and case alike, and none of this knows how warm the room or the case is already.
 //
+// Left alone, it cools from h to h₀ in τ ln(h/h₀).
+//
 // A plain value; SI units; never allocates or throws; any one thread.
 #pragma once
 
@@ -21,6 +23,12 @@ inline constexpr double motor_continuous_share = 1.0 / 4.0;  // f_c, of the most
 
 // Of each motor of a device; 0 where it has fewer.
 using MotorHeats = std::array<double, 3>;
+
+// How long a motor has to give nothing until its heat is half of what it may have for ever [s].
+inline double motor_rest_s(double heat) noexcept {
+  constexpr double rested = 0.5;
+  return heat > rested ? motor_heat_time_constant_s * std::log(heat / rested) : 0.0;
+}
 
 class MotorHeat {
  public:

@@ -9,15 +9,33 @@
 
 #include "app/stage/landscape_layers.h"
 #include "app/stage/stage_layers.h"
+#include "app/state/front_keys.h"
 #include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {
 
-const StageModeLayers* layers_of(StageMode mode) {
+// Of a handle that nobody knows nothing is drawn but, where there is one, the pose that its arms are to be put into.
+void add_unknown_handle(const StageLayer& layer) {
+  add_stage_wall(layer);
+  add_mechanism(layer);
+  add_device_inset(layer);
+}
+
+std::string unknown_handle_sentence(const StageContent& content) {
+  return filled(content.language.warnings.device_not_ready, front_keys().device_status.shown);
+}
+
+constexpr StageModeLayers unknown_handle_layers{StageMode::none, add_unknown_handle, unknown_handle_sentence};
+
+// Null: the scene as it is.
+const StageModeLayers* layers_of(const StageContent& content) {
   static const std::array all{&predict_layers, &why_layers,    &landscape_layers,
                               &round_layers,   &ribbon_layers, &measure_layers};
-  const auto found = std::ranges::find(all, mode, &StageModeLayers::id);
+  if (content.handle_is_unknown) return &unknown_handle_layers;
+  // What is to be guessed is drawn as Predict does it.
+  if (content.hides.handle) return &predict_layers;
+  const auto found = std::ranges::find(all, content.mode, &StageModeLayers::id);
   return found == all.end() ? nullptr : *found;
 }
 
@@ -114,7 +132,7 @@ void add_whole_scene(const StageLayer& layer) {
 StageReading stage_reading(const StageContent& content) {
   const StageSecrets& hides = content.hides;
   StageReading reading{.strategy = content.settings.active,
-                       .sentence = sentence_of(content, layers_of(content.mode)),
+                       .sentence = sentence_of(content, layers_of(content)),
                        .hides = hides,
                        .corner = content.corner,
                        .measuring = content.measuring_button,
@@ -144,8 +162,7 @@ StageReading stage_reading(const StageContent& content) {
 }
 
 StagePicture compose_stage(const StageContent& content, LabelMemory& memory, double interval_s, Marks earlier) {
-  // What is to be guessed is drawn as Predict does it.
-  const StageModeLayers* const mode = content.hides.handle ? &predict_layers : layers_of(content.mode);
+  const StageModeLayers* const mode = layers_of(content);
   const bool is_map = content.mode == StageMode::landscape && !content.hides.handle && !maps_workspace(content);
   StageLayout layout = layout_of(content, mode);
   if (content.mode == StageMode::ribbon && content.moments != nullptr) make_room_for_ribbon(content, layout);

@@ -88,6 +88,7 @@ struct StageContent {
   bool may_move_parts = false;                 // of a general scene: the ends of its device and its walls
   std::optional<ScenePart> hovered_part{};     // with hovered_grip part
   std::optional<LinkagePose> linkage{};        // of a real device; empty: the settings say what there is
+  bool handle_is_unknown = false;              // of a real device; its links are then where they are to be put
   std::optional<MotorsInUse> motors_in_use{};  // of that device, where they can be chosen
   StageGuess guess{};
   int why_step = 0;

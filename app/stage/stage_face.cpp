@@ -165,15 +165,18 @@ std::string finding_words(const MotorReport& motors, const StageLanguage::Device
 }
 
 // What the hand at the device cannot see in the picture; empty: nothing.
-std::string_view words_about_motors(const MotorReport& motors, const StageLanguage::Device& words) {
+std::string words_about_motors(const MotorReport& motors, const StageLanguage::Device& words) {
   if (!motors.has_motors) return {};
   if (motors.state == SafetyState::off) {
     const bool was_chosen = motors.reason == OffReason::none || motors.reason == OffReason::key;
-    return was_chosen ? std::string_view() : words.motors_went_off;
+    return std::string(was_chosen ? std::string_view() : words.motors_went_off);
   }
   if (motors.is_checking || motors.sent == Vector<2>(0.0)) return {};
-  if (std::ranges::max(motors.heat) > 1.0) return words.motors_get_hot;
-  return motors.motor_is_at_limit ? words.motor_is_at_limit : std::string_view();
+  constexpr double rest_step_s = 10.0;  // of a number that stands still while it is read
+  if (const double heat = std::ranges::max(motors.heat); heat > 1.0) {
+    return filled(words.motors_get_hot, rest_step_s * std::ceil(motor_rest_s(heat) / rest_step_s));
+  }
+  return std::string(motors.motor_is_at_limit ? words.motor_is_at_limit : std::string_view());
 }
 
 // What is not as it should be comes before what there is to see.
@@ -207,8 +210,8 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   }
   const bool is_at_work =
       session.lesson || session.stage.mode != StageMode::none || session.stage.looks_back_to_s || session.kiosk_visit;
-  const std::string_view about = words_about_motors(loop.motors, stage_language(session.language).device);
-  if (!about.empty() && !(is_off && is_at_work)) return std::string(about);
+  std::string about = words_about_motors(loop.motors, stage_language(session.language).device);
+  if (!about.empty() && !(is_off && is_at_work)) return about;
   if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
@@ -338,7 +341,10 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   const MotorReport& motors = frame.loop.motors;
   if (!frame.shown.is_past) content.linkage = motors.linkage;
-  if (content.linkage && motors.line_turns && !session.lesson) {
+  content.handle_is_unknown = motors.has_motors && !motors.is_handle_known && !frame.shown.is_past;
+  if (content.handle_is_unknown) {
+    content.hides = {.numbers = true, .force = true, .slide = true, .rest = true, .handle = true};
+  } else if (content.linkage && motors.line_turns && !session.lesson) {
     content.motors_in_use = shown.settings.active == StrategyId::full ? MotorsInUse::both
                             : motors.pushing_motor == 0               ? MotorsInUse::first
                                                                       : MotorsInUse::second;
@@ -393,7 +399,8 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.is_dragging = pointer_.is_holding();
   content.held_end = pointer_.held_end();
   content.shows_menu = session.stage.shows_menu;
-  content.may_turn_motor = session.has_handles && !permit(session, TurnMotorTo{});
+  const bool has_handle = !content.handle_is_unknown;
+  content.may_turn_motor = session.has_handles && has_handle && !permit(session, TurnMotorTo{});
   content.may_turn_wall = session.has_handles && !permit(session, TurnWallTo{});
   content.may_move_parts = session.has_handles && (is_general(session.settings) || content.linkage) &&
                            session.stage.mode != StageMode::why && !content.hides.handle;

@@ -11,6 +11,7 @@
 
 #include "app/state/lesson_guide.h"
 #include "app/state/stage_view.h"
+#include "app/state/target.h"
 
 namespace ghostforce {
 namespace {
@@ -57,8 +58,19 @@ std::vector<StageStroke> strokes_of(const Session& session, const ShownMoment& s
   return strokes;
 }
 
+// What must be seen of a hand at a device: it, the handle, and the target if there is one.
+std::vector<Vector<2>> measured_places(const Session& session, const StageFrame& frame) {
+  const Snapshot& snapshot = frame.shown.snapshot;
+  std::vector<Vector<2>> places{snapshot.strategies[index_of(*snapshot.measured)].device, snapshot.goal};
+  if (const auto target = target_of(session, frame.loop.motors)) places.push_back(*target);
+  return places;
+}
+
 SceneView fitting_view(const Session& session, const ViewFollower::Moment& moment) {
   const ShownMoment& shown = moment.frame.shown;
+  if (shown.snapshot.measured && !shown.is_past) {
+    return stage_view_of(session.settings, measured_places(session, moment.frame), reference_force_of(session));
+  }
   if (shown.is_past) {
     return stage_view_of(shown.settings, std::array{shown.snapshot.goal}, reference_force_of(session));
   }
@@ -69,10 +81,16 @@ SceneView fitting_view(const Session& session, const ViewFollower::Moment& momen
 
 }  // namespace
 
-// A handle that somebody moves away takes the view along.
-void ViewFollower::follow_measured(Session& session, const Moment& moment, const Vector<2>& handle) {
-  if (is_in_sight(moment.picture, handle)) return;
-  session.stage_shown = stage_view_of(session.settings, std::array{session.goal, handle}, reference_force_of(session));
+// A handle that somebody moves away takes the view along. A hand and a new target do so unless a person has moved it.
+void ViewFollower::follow_measured(Session& session, const Moment& moment) {
+  const std::vector<Vector<2>> places = measured_places(session, moment.frame);
+  const std::optional<Vector<2>> target = target_of(session, moment.frame.loop.motors);
+  const bool is_new_target = std::exchange(target_, target) != target;
+  const std::size_t must_be_seen = is_new_target ? places.size() : is_chosen_ ? 1 : 2;
+  const auto is_seen = [&](const Vector<2>& place) { return is_in_sight(moment.picture, place); };
+  if (std::ranges::all_of(std::span(places).first(must_be_seen), is_seen)) return;
+  session.stage_shown = fitting_view(session, moment);
+  is_chosen_ = false;
 }
 
 void ViewFollower::follow_subject(Session& session, const Moment& moment) {
@@ -139,12 +157,7 @@ void ViewFollower::follow(Session& session, const Moment& moment, double interva
       left_.clear();
     }
   } else if ((frame.shown.is_past || !moment.is_held) && !moment.is_busy && !is_moving_) {
-    const Snapshot& snapshot = frame.shown.snapshot;
-    if (snapshot.measured) {
-      follow_measured(session, moment, snapshot.strategies[index_of(*snapshot.measured)].device);
-    } else {
-      follow_subject(session, moment);
-    }
+    frame.shown.snapshot.measured ? follow_measured(session, moment) : follow_subject(session, moment);
   }
   wanted_ = session.stage_shown;
   glide_to(session.stage_shown, reduces_motion(session) ? 1.0 : 1.0 - std::exp(-interval_s / glides_s));

@@ -43,7 +43,7 @@ class ViewFollower {
     Subject subject;
     SceneView view;
   };
-  void follow_measured(Session& session, const Moment& moment, const Vector<2>& handle);
+  void follow_measured(Session& session, const Moment& moment);
   void follow_subject(Session& session, const Moment& moment);
   void glide_to(const SceneView& wanted, double share);
 
@@ -52,6 +52,7 @@ class ViewFollower {
   std::shared_ptr<const Scene> scene_{};  // of the frame before
   bool is_moving_ = false;
   bool is_chosen_ = false;    // a person has moved it, and nothing else since
+  std::optional<Vector<2>> target_{};  // of a hand at a device, that has been looked for
   Subject subject_{};         // of the view, or found in sight with it
   std::vector<Left> left_{};  // views that were left because something was covered or past, the last at the end
 };

@@ -50,6 +50,16 @@ TEST(MotorHeat, FollowsTheMeanSquare) {
   EXPECT_NEAR(heat.heat(), 16.0 * 0.5 * (0.09 + 0.01), 1e-4);
 }
 
+TEST(MotorHeat, SaysHowLongItHasToRest) {
+  for (const double heat : {0.6, 1.0, 4.0}) {
+    MotorHeat motor;
+    motor.hold(motor_continuous_share * std::sqrt(heat), 1e9);
+    motor.hold(0.0, motor_rest_s(motor.heat()));
+    EXPECT_NEAR(motor.heat(), 0.5, 1e-12);
+  }
+  EXPECT_EQ(motor_rest_s(0.4), 0.0);
+}
+
 TEST(MotorHeat, NothingHappensInNoTimeOrByWhatIsNoNumber) {
   MotorHeat heat = held({}, 0.5, 1.0);
   const double before = heat.heat();

@@ -244,9 +244,7 @@ std::vector<Finding> measure_haply_strength(HaplyRig& rig) {
   bool is_as_assumed = true;
   for (std::size_t arm = 0; arm < 2; ++arm) {
     const double scale = (*scales)[static_cast<glm::length_t>(arm)];
-    // What is within the uncertainty stays what was assumed.
-    if (std::abs(scale / calibration.arms[arm].torque_scale - 1.0) <= 0.05) continue;
-    is_as_assumed = false;
+    is_as_assumed = is_as_assumed && std::abs(scale / calibration.arms[arm].torque_scale - 1.0) <= 0.05;
     calibration.arms[arm].torque_scale = scale;
   }
   rig.use(calibration);

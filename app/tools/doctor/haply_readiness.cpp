@@ -13,8 +13,8 @@ namespace {
 
 // In the order of ReadinessStep.
 constexpr std::array haply_steps{
-    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Plugged in", "Not plugged in",
-                   "Plug in the board's USB cable. Where several serial ports are there, name one with --haply-port; "
+    ReadinessEntry{ReadinessStep::seen, ExitCode::device_absent, "seen", "Found", "Not found",
+                   "Plug in the board's USB cable. Where there are several boards, name a port with --haply-port; "
                    "'ghostforce doctor haply' lists them.",
                    "The computer sees the port."},
     ReadinessEntry{ReadinessStep::allowed, ExitCode::device_refused, "allowed", "Allowed", "Not allowed",

@@ -4,12 +4,16 @@
 
 #include <cmath>
 #include <memory>
+#include <string>
 
+#include "app/files/run_reader.h"
+#include "app/runs/replay.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
 #include "app/tools/doctor/readiness.h"
 #include "device/virtual_haply/virtual_port.h"
 #include "tests/app/shell/driven_window.h"
+#include "tests/support/temporary_folder.h"
 
 namespace ghostforce::haply_window_test {
 namespace {
@@ -82,7 +86,20 @@ class HaplyWindow : public DrivenWindow {
 TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
   ASSERT_TRUE(frames_until(3.0, [&] { return motors().waits_for_zero_pose; }));
   frames(2);
-  EXPECT_NE(sentence().find("zero pose"), std::string::npos) << sentence();
+  EXPECT_TRUE(sentence().starts_with("Put the arms as they are drawn")) << sentence();
+  // As they are to be put, and nothing that nobody knows.
+  EXPECT_GT(count_marks(Role::linkage), 3);
+  for (const Role role : {Role::device, Role::force, Role::wall_share, Role::ghost_force, Role::motor_axis, Role::hand,
+                          Role::hand_spring, Role::tracking_link, Role::number}) {
+    EXPECT_EQ(count_marks(role), 0) << static_cast<int>(role);
+  }
+  EXPECT_FALSE(application_->stage_reading().numbers.force);
+  ASSERT_TRUE(motors().linkage);
+  const HaplyCalibration& calibration = usual_haply_variant().calibration;
+  const auto pose = pose_at(calibration.geometry, zero_pose_of(calibration));
+  ASSERT_TRUE(pose);
+  const HaplyPlane plane(calibration, session().scene->view.center);
+  EXPECT_NEAR(glm::distance(motors().linkage->joints[4], plane.in_scene(pose->handle)), 0.0, 1e-12);
   const std::optional<Action> button = action_of_motor_button(motors());
   ASSERT_TRUE(button);
   EXPECT_TRUE(std::holds_alternative<ConfirmZeroPose>(*button));
@@ -90,6 +107,62 @@ TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
   EXPECT_TRUE(motors().waits_for_zero_pose) << "nobody has said so";
   confirm();
   EXPECT_FALSE(motors().waits_for_zero_pose);
+  frames(2);
+  EXPECT_GT(count_marks(Role::device), 0);
+  EXPECT_GT(count_marks(Role::motor_axis), 0);
+}
+
+TEST_F(HaplyWindow, TheViewFollowsHandAndTarget) {
+  const auto is_in_view = [&](const Vector<2>& place) {
+    const StagePicture& picture = screen().stage().picture();
+    return contains(picture.scene, to_screen(picture.pane.camera, place));
+  };
+  turn_on();
+  lead_hand_to({-0.05, 0.06});
+  frames(60);
+  EXPECT_TRUE(is_in_view(motors().handle));
+  const Vector<2> target = projection(wall_of(session().settings), session().scene->goal.points.back());
+  act(AimAtTarget{true});
+  frames(60);
+  EXPECT_TRUE(is_in_view(target));
+  EXPECT_TRUE(sentence().starts_with("Aim at the target")) << sentence();
+  // Whoever moves the view away has it so, until Fit.
+  act(MoveView{{0.0, 0.15}});
+  frames(2);
+  act(FitView{});
+  frames(60);
+  EXPECT_TRUE(is_in_view(target));
+  EXPECT_TRUE(is_in_view(motors().handle));
+  lead_hand_to({0.0, 0.0});
+  lead_hand_to({0.02, -0.02}, 600.0);
+  frames(60);
+  ASSERT_EQ(motors().state, SafetyState::on);
+  EXPECT_TRUE(is_in_view(now().goal)) << "where the hand pulls to, as far as the force tells";
+}
+
+TEST_F(HaplyWindow, ARecordingRepeatsWhatIsSimulatedBesideIt) {
+  const TemporaryFolder folder;
+  get_ready();
+  act(StartRecording{folder / "run.csv"});
+  frames(3, 100);
+  act(ArmMotors{});
+  ASSERT_TRUE(frames_until(6.0, [&] { return motors().state == SafetyState::on; }));
+  lead_hand_to(inside);
+  act(SwitchMotor{});
+  frames(10, 100);
+  ASSERT_TRUE(now().measured);
+  press(key::escape);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().state == SafetyState::off; }));
+  frames(3, 100);
+  act(StopRecording{});
+  frames(2);
+  const auto run = load_run(folder / "run.csv");
+  EXPECT_TRUE(run.warnings.empty()) << run.warnings.front();
+  const ReplayReport report = replay(run, [](const ReplayedTick&) {});
+  EXPECT_FALSE(report.first) << report.first->column << " at " << report.first->time_s;
+  EXPECT_EQ(report.skipped, 0);
+  EXPECT_GT(report.measured, 1000);
+  EXPECT_GT(report.compared, report.measured + 100);
 }
 
 TEST_F(HaplyWindow, ItsRailTurnsWithTheHandleAndIsNeitherSentBackNorUndone) {
