@@ -327,12 +327,9 @@ void add_device_inset(const StageLayer& layer) {
   add_edge_in(layer, within_rim, Role::linkage, 2.0, mix(theme.wall, theme.wall_edge, 0.6));
   add_device(layer, pose, 0.55, [&](const Vector<2>& place) { return canvas.inset->at(place); });
   const Colour own = stage_colour(content.moment, theme.strategy);
-  const Vector<2> handle = content.handle_is_unknown ? joints.back() : content.moment.handle;
-  canvas.disc(Role::linkage, canvas.inset->at(handle), canvas.points(6.0), own, own, 0.0);
+  canvas.disc(Role::linkage, canvas.inset->at(content.moment.handle), canvas.points(6.0), own, own, 0.0);
   canvas.text(Role::linkage, box->least + Vector<2>(canvas.points(8.0), canvas.points(4.0)),
-              std::string(content.handle_is_unknown ? content.language.device.zero_pose_shown
-                                                    : content.language.labels.whole_device),
-              layout.letters.about, theme.faint_text);
+              std::string(content.language.labels.whole_device), layout.letters.about, theme.faint_text);
   for (const StagePart& part : content.may_move_parts ? stage_parts(layer) : std::vector<StagePart>()) {
     const bool is_hot = content.hovered_part == part.placed.part && contains(*box, part.place);
     if (is_hot) add_hot_ring(layer, part.place, 12.0);

@@ -17,9 +17,13 @@ namespace {
 
 // Of a handle that nobody knows nothing is drawn but, where there is one, the pose that its arms are to be put into.
 void add_unknown_handle(const StageLayer& layer) {
+  const auto& [content, layout, canvas] = layer;
   add_stage_wall(layer);
+  if (!content.linkage) return;
   add_mechanism(layer);
-  add_device_inset(layer);
+  const Colour own = stage_colour(content.moment, content.theme.strategy);
+  canvas.disc(Role::linkage, canvas.at(content.linkage->joints[content.linkage->joint_count - 1]),
+              canvas.points(handle_radius), own, own, 0.0);
 }
 
 std::string unknown_handle_sentence(const StageContent& content) {

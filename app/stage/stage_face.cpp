@@ -39,6 +39,11 @@ bool may_show_itself(const Session& session, const StageFrame& frame) {
          !session.drags_goal && rests_everywhere(session);
 }
 
+// Its picture is not of where the session looks.
+bool has_own_view(const StageContent& content) {
+  return content.mode == StageMode::round || (content.handle_is_unknown && content.linkage);
+}
+
 // All of the circle, and all that comes to rest round it.
 SceneView view_of_round(const Settings& settings, const Circle& circle, double reference_force) {
   constexpr int places = 12;
@@ -344,6 +349,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.handle_is_unknown = motors.has_motors && !motors.is_handle_known && !frame.shown.is_past;
   if (content.handle_is_unknown) {
     content.hides = {.numbers = true, .force = true, .slide = true, .rest = true, .handle = true};
+    if (content.linkage) content.shown = stage_view_of(*content.linkage);
   } else if (content.linkage && motors.line_turns && !session.lesson) {
     content.motors_in_use = shown.settings.active == StrategyId::full ? MotorsInUse::both
                             : motors.pushing_motor == 0               ? MotorsInUse::first
@@ -393,7 +399,7 @@ StageReading StageFace::reading(const Session& session, const StageFrame& frame)
 const StagePicture& StageFace::compose(const Session& session, const StageFrame& frame, double interval_s) {
   const Shown shown = shown_in(session, frame);
   StageContent content = content_of(session, frame, shown);
-  if (session.stage.mode != StageMode::round) content.shown = view_.view();
+  if (!has_own_view(content)) content.shown = view_.view();
   content.hovered = pointer_.hovered();
   content.hovered_grip = pointer_.hovered_grip();
   content.is_dragging = pointer_.is_holding();
@@ -419,7 +425,7 @@ Pane StageFace::pane_apart(const Session& session, const StageFrame& frame, Labe
   if (session.face == Face::stage) {
     const Shown shown = shown_in(session, frame);
     StageContent content = content_of(session, frame, shown);
-    if (session.stage.mode != StageMode::round) content.shown = view_.view();
+    if (!has_own_view(content)) content.shown = view_.view();
     return compose_stage(content, memory, interval_s).pane;
   }
   Session plain = beside_stage(session);

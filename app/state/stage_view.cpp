@@ -123,6 +123,13 @@ SceneView stage_view_of(const Settings& settings, const Vector<2>& goal) {
   return stage_view_of(settings, std::span(&goal, 1), reference_force_of(settings, goal));
 }
 
+SceneView stage_view_of(const LinkagePose& pose) {
+  std::vector<FitPoint> points;
+  for (std::size_t i = 0; i < pose.joint_count; ++i) points.push_back({pose.joints[i], Vector<2>(0.0)});
+  const double scale = 0.8 * fitting_scale(points, stage_view_room, greatest_scale);
+  return within_scene_limits({.center = fitting_center(points, scale), .width = stage_view_width / scale});
+}
+
 SceneView workspace_view(const Settings& settings) {
   const GeneralSettings& general = settings.general;
   const bool is_arm = general.mechanism == MechanismKind::arm;

@@ -35,6 +35,9 @@ SceneView stage_view_of(const Settings& settings, std::span<const Vector<2>> goa
 // The same where the hand is where the scene has it in the end.
 SceneView stage_view_of(const Settings& settings, const Vector<2>& goal);
 
+// All of a device, as it stands there.
+SceneView stage_view_of(const LinkagePose& pose);
+
 // As far as the joints of a device let its handle come.
 SceneView workspace_view(const Settings& settings);
 
