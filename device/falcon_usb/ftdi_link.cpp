@@ -71,8 +71,9 @@ LinkFault FtdiLink::open_first(const StopDebts& owed) noexcept {
 void FtdiLink::start_guard(bool may_push) noexcept {
   constexpr int attempts = 3;
   for (int attempt = 0; attempt < attempts; ++attempt) {
-    if (guard_.start(usb_.descriptor(), usb_.node(), guard_orders(), may_push)) return;
+    if (guard_.start(usb_.descriptor(), usb_.node(), guard_orders(), may_push)) break;
   }
+  poll_descriptors_[poll_count_] = {guard_.descriptor(), POLLIN, 0};
 }
 
 // The guard knows nothing of frames: it gets the bytes.
@@ -139,7 +140,7 @@ void FtdiLink::find_poll_descriptors() {
   poll_count_ = 0;
   const libusb_pollfd** const list = libusb_get_pollfds(usb_.context());
   if (list == nullptr) return;
-  for (const libusb_pollfd** entry = list; *entry != nullptr && poll_count_ < poll_descriptors_.size(); ++entry) {
+  for (const libusb_pollfd** entry = list; *entry != nullptr && poll_count_ + 1 < poll_descriptors_.size(); ++entry) {
     poll_descriptors_[poll_count_++] = {(*entry)->fd, (*entry)->events, 0};
   }
   libusb_free_pollfds(list);
@@ -358,7 +359,11 @@ void FtdiLink::wait_until(std::int64_t deadline_ns) noexcept {
     const std::int64_t left_ns = deadline_ns - monotonic_ns();
     if (something_happened_ || left_ns <= 0) return;
     const timespec wait{0, std::min(left_ns, longest_wait_ns)};  // far less than a second
-    ppoll(poll_descriptors_.data(), poll_count_, &wait, nullptr);
+    pollfd& of_guard = poll_descriptors_[poll_count_];
+    if (ppoll(poll_descriptors_.data(), poll_count_ + 1, &wait, nullptr) <= 0 || of_guard.revents == 0) continue;
+    guard_.note_gone();
+    of_guard.fd = -1;
+    return heed_guard();
   }
 }
 

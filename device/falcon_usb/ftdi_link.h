@@ -136,7 +136,7 @@ class FtdiLink final : public FalconLink {
   std::size_t held_ = 0;
 
   // What libusb waits for, so that we can wait with a finer clock than its milliseconds.
-  std::array<pollfd, 8> poll_descriptors_{};
+  std::array<pollfd, 8> poll_descriptors_{};  // of libusb, and after them that of the guard
   nfds_t poll_count_ = 0;
 };
 

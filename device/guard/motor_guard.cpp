@@ -4,6 +4,7 @@
 #include <signal.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -108,6 +109,7 @@ bool MotorGuard::spawn(int descriptor, const std::string& node, int page_file) n
   posix_spawn_file_actions_destroy(&files);
   for (int* const file : {&device, &page, &end_of_lifeline}) close_file(*file);
   if (error != 0) process_ = -1;
+  if (error == 0) process_file_ = static_cast<int>(syscall(SYS_pidfd_open, process_, 0));
   return error == 0;
 }
 
@@ -128,6 +130,8 @@ bool MotorGuard::wait_until_it_watches() noexcept {
 void MotorGuard::end(bool are_stopped) noexcept {
   if (page_ != nullptr && are_stopped) page_->has_ended.store(true, std::memory_order_release);
   close_file(lifeline_);  // wakes it
+  close_file(process_file_);
+  has_gone_ = false;
   if (process_ > 0) {
     const std::int64_t deadline_ns = monotonic_ns() + end_patience_ns;
     pid_t ended = 0;

@@ -40,9 +40,14 @@ class MotorGuard {
     if (page_ != nullptr) page_->may_push.store(may_push, std::memory_order_release);
   }
 
+  // Can be read once the guard's process has ended, for whoever polls; -1: there is none, or the system has no such thing.
+  int descriptor() const noexcept { return has_gone_ ? -1 : process_file_; }
+  // That can be read.
+  void note_gone() noexcept { has_gone_ = true; }
+
   // There is a guard, and it has looked lately.
   bool is_watching(std::int64_t now_ns) const noexcept {
-    return state() == GuardState::watching && now_ns - page_->guard_beat_ns.load(std::memory_order_acquire) <= stale_ns;
+    return state() == GuardState::watching && !has_gone_ && now_ns - page_->guard_beat_ns.load(std::memory_order_acquire) <= stale_ns;
   }
   GuardState state() const noexcept {
     return page_ == nullptr ? GuardState::none : page_->state.load(std::memory_order_acquire);
@@ -58,6 +63,8 @@ class MotorGuard {
   GuardMemory* page_ = nullptr;
   int lifeline_ = -1;  // a pipe that is never written to: its end tells the guard that this process has gone
   int process_ = -1;
+  int process_file_ = -1;
+  bool has_gone_ = false;
 };
 
 }  // namespace ghostforce

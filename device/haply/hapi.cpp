@@ -78,6 +78,10 @@ SetUpPacket encode(const SetUp& set_up) noexcept {
   return packet.bytes();
 }
 
+bool is_set_up(std::span<const std::uint8_t> packet) noexcept {
+  return packet.size() == SetUpPacket().size() && packet.front() == encode({}).front();
+}
+
 ExchangePacket exchange(const PerPort<double>& torques) noexcept {
   Writer<ExchangePacket{}.size()> packet;
   packet.put(exchange_command);

@@ -37,6 +37,7 @@ using ExchangePacket = std::array<std::uint8_t, 10>;
 inline constexpr std::size_t reply_size = 9;
 
 SetUpPacket encode(const SetUp& set_up) noexcept;
+bool is_set_up(std::span<const std::uint8_t> packet) noexcept;
 // Torques by port [N·m]. One that is not finite is sent as zero, one beyond the greatest as that. Others are the nearest
 // number that holds no set up, to within 0.13 mN·m, which is a step of an M0's duty.
 ExchangePacket exchange(const PerPort<double>& torques) noexcept;

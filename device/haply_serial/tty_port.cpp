@@ -34,7 +34,6 @@ constexpr std::int64_t stop_patience_ns = 500 * ns_per_ms;
 constexpr std::int64_t at_once_patience_ns = 30 * ns_per_ms;
 // Closing waits no longer for a stop from a signal handler: a process that is ending may have lost the thread.
 constexpr std::int64_t last_write_patience_ns = 100 * ns_per_ms;
-constexpr int closing_stops = 2;
 
 LinkFault open_fault_of(int error) noexcept {
   switch (error) {
@@ -55,6 +54,12 @@ LinkFault open_fault_of(int error) noexcept {
     default:
       return LinkFault::broken;
   }
+}
+
+// Stops motors of a board that has forgotten its address, too. Which way and how finely it counts does not matter:
+// whoever uses the board next sets it up anew.
+hapi::SetUpPacket last_set_up() noexcept {
+  return hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}});
 }
 
 // The port takes nothing, or has nothing, just now.
@@ -90,21 +95,23 @@ std::vector<Target> possible_targets(const TtyPortOptions& options, const std::v
   return targets;
 }
 
-// `in_use`: the number of the board that was before.
-Target target_of(const TtyPortOptions& options, const StopDebts& owed, const std::string& in_use) {
+// What may be opened, the best first: all that are owed a stop, or else a single one. `in_use`: the identity of the board
+// that was before.
+std::vector<Target> targets_of(const TtyPortOptions& options, const StopDebts& owed, const std::string& in_use) {
   const std::vector<SerialPortFound> ports = list_serial_ports(options.places);
   const auto debt_of = [&owed](const Target& each) { return owed.place_of(device_serial_of(each.serial)); };
-  const std::vector<Target> targets = possible_targets(options, ports);
-  const auto oldest_debt = std::ranges::min_element(targets, std::ranges::less(), debt_of);
-  if (oldest_debt != targets.end() && debt_of(*oldest_debt) < StopDebts::most) return *oldest_debt;
+  std::vector<Target> debtors = possible_targets(options, ports);
+  std::erase_if(debtors, [&](const Target& each) { return debt_of(each) == StopDebts::most; });
+  std::ranges::stable_sort(debtors, {}, debt_of);
+  if (!debtors.empty()) return debtors;
 
-  if (!options.path.empty()) return target_at(options.path, ports);
+  if (!options.path.empty()) return {target_at(options.path, ports)};
   std::vector<Target> known;
   for (const SerialPortFound& port : ports) {
     if (!port.board.empty()) known.push_back(target_at(port.path, ports));
   }
   if (known.size() > 1) std::erase_if(known, [&in_use](const Target& each) { return each.serial != in_use; });
-  return known.size() == 1 ? known.front() : Target{LinkFault::absent};
+  return known.size() == 1 ? known : std::vector{Target{LinkFault::absent}};
 }
 
 // --- A terminal as a wire ---
@@ -186,7 +193,7 @@ int open_terminal(const std::string& node, LinkFault& why_not) noexcept {
 LinkFault TtyPort::open_first(const StopDebts& owed) noexcept {
   close();
   try {
-    fault_ = take(owed);
+    fault_ = take_one(owed);
   } catch (const std::exception&) {  // out of memory
     fault_ = LinkFault::broken;
   }
@@ -194,11 +201,22 @@ LinkFault TtyPort::open_first(const StopDebts& owed) noexcept {
   return fault_;
 }
 
-LinkFault TtyPort::take(const StopDebts& owed) {
-  Target target = target_of(options_, owed, in_use_);
-  if (target.why_not != LinkFault::none) return target.why_not;
+// Where the first cannot be had, and why says most, another that may push can.
+LinkFault TtyPort::take_one(const StopDebts& owed) {
+  LinkFault first = LinkFault::none;
+  for (const Target& target : targets_of(options_, owed, in_use_)) {
+    const bool is_owed = owed.has(device_serial_of(target.serial));
+    const LinkFault why_not =
+        target.why_not == LinkFault::none ? take(target.node, target.serial, is_owed) : target.why_not;
+    if (why_not == LinkFault::none) return LinkFault::none;
+    if (first == LinkFault::none) first = why_not;
+  }
+  return first;
+}
+
+LinkFault TtyPort::take(const std::string& node, const std::string& serial, bool is_owed) {
   LinkFault why_not = LinkFault::none;
-  const int file = open_terminal(target.node, why_not);
+  const int file = open_terminal(node, why_not);
   if (file < 0) return why_not;
   struct stat status {};
   if (fstat(file, &status) != 0) {
@@ -208,10 +226,10 @@ LinkFault TtyPort::take(const StopDebts& owed) {
   device_ = status.st_rdev;
   descriptor_ = file;
   fault_ = LinkFault::none;
-  serial_ = std::move(target.serial);
-  may_push_ = owed.has(device_serial_of(serial_));
+  serial_ = serial;
+  may_push_ = is_owed;
   if (!may_push_) in_use_ = serial_;
-  if (options_.is_guarded) start_guard(target.node);
+  if (options_.is_guarded) start_guard(node);
   discard_input();
   return fault_;
 }
@@ -223,8 +241,7 @@ void TtyPort::start_guard(const std::string& node) noexcept {
   const hapi::ExchangePacket stop = hapi::zero_exchange();
   std::ranges::copy(stop, orders.stop.begin());
   orders.stop_size = static_cast<std::uint8_t>(stop.size());
-  // Which way and how finely it counts does not matter: whoever uses the board next sets it up anew.
-  const hapi::SetUpPacket set_up = hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}});
+  const hapi::SetUpPacket set_up = last_set_up();
   std::ranges::copy(set_up, orders.last.begin());
   orders.last_size = static_cast<std::uint8_t>(set_up.size());
   constexpr int attempts = 3;
@@ -264,18 +281,22 @@ bool TtyPort::is_still_port(int file) const noexcept {
   return fstat(file, &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == device_;
 }
 
-// Twice, as nobody waits for the answer. Also after a packet that was torn: what of these a board takes for the rest of it
-// is a torque of next to nothing, because no byte of it is more than the address. The guard is told that this program
-// lives, or it would do the same at the same time. Whether they have gone out.
+// Zeros twice, as nobody waits for the answer, and a set up for a board that does not take them. Also after a packet that
+// was torn: what of these a board takes for the rest of it is a torque of next to nothing, because no byte of it is more
+// than the address. The guard is told that this program lives, or it would do the same at the same time. Whether they
+// have gone out.
 bool TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
   const hapi::ExchangePacket stop = hapi::zero_exchange();
-  for (int stops = 0; stops < closing_stops;) {
+  const hapi::SetUpPacket set_up = last_set_up();
+  const std::array<std::span<const std::uint8_t>, 3> packets{stop, stop, set_up};
+  for (std::size_t next = 0; next < packets.size();) {
     const std::int64_t now_ns = monotonic_ns();
     if (now_ns >= deadline_ns || !is_still_port(descriptor_)) return false;
     guard_.beat(now_ns);
-    const ssize_t sent = ::write(descriptor_, stop.data(), stop.size());
+    const std::span<const std::uint8_t> packet = packets[next];
+    const ssize_t sent = ::write(descriptor_, packet.data(), packet.size());
     if (sent < 0 && !is_momentary(errno)) return false;
-    if (sent == static_cast<ssize_t>(stop.size())) ++stops;
+    if (sent == static_cast<ssize_t>(packet.size())) ++next;
     sleep_until_monotonic(now_ns + ns_per_ms);
   }
   return true;
@@ -330,7 +351,10 @@ bool TtyPort::write(std::span<const std::uint8_t> packet) noexcept {
   heed_guard();
   if (has_gone() || packet.empty() || packet.size() > longest_packet) return false;
   const bool is_stop = std::ranges::equal(packet, hapi::zero_exchange());
-  if (!is_stop && (fault_ != LinkFault::none || emergency_stop::is_ordered())) return false;
+  // A set up stops a board that takes no zeros.
+  const bool may_push = !is_stop && !hapi::is_set_up(packet);
+  if (!is_stop && fault_ != LinkFault::none) return false;
+  if (may_push && emergency_stop::is_ordered()) return false;
   if (!is_still_port(descriptor_)) {
     set_fault(LinkFault::broken);
     return false;
@@ -381,11 +405,12 @@ void TtyPort::discard_input() noexcept {
 
 // Whether there is any, or there will be none.
 bool TtyPort::await_input(std::int64_t longest_ns) noexcept {
-  pollfd port{descriptor_, POLLIN, 0};
+  std::array<pollfd, 2> ends{pollfd{descriptor_, POLLIN, 0}, pollfd{guard_.descriptor(), POLLIN, 0}};
   const timespec longest{0, longest_ns};  // far less than a second
-  if (ppoll(&port, 1, &longest, nullptr) <= 0) return false;
-  if ((port.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) set_fault(LinkFault::unplugged);
-  return true;
+  if (ppoll(ends.data(), ends.size(), &longest, nullptr) <= 0) return false;
+  if (ends[1].revents != 0) guard_.note_gone();
+  if ((ends[0].revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) set_fault(LinkFault::unplugged);
+  return ends[0].revents != 0;
 }
 
 void TtyPort::wait_until(std::int64_t deadline_ns) noexcept {

@@ -49,7 +49,8 @@ class TtyPort final : public SerialPort {
   bool is_guarded() const noexcept override { return !options_.is_guarded || guard_.is_watching(monotonic_ns()); }
   void set_may_push(bool may_push) noexcept override;
 
-  // Zeros for both motors also go out after a fault, as long as the port is there: at worst they are not needed.
+  // Zeros for both motors also go out after a fault, as long as the port is there: at worst they are not needed. After
+  // the emergency stop there are only those and set ups.
   bool write(std::span<const std::uint8_t> packet) noexcept override;
   std::size_t read(std::span<std::uint8_t> into) noexcept override;
   void discard_input() noexcept override;
@@ -59,7 +60,8 @@ class TtyPort final : public SerialPort {
   void write_at_once(std::span<const std::uint8_t> packet) noexcept override;
 
  private:
-  LinkFault take(const StopDebts& owed);
+  LinkFault take_one(const StopDebts& owed);
+  LinkFault take(const std::string& node, const std::string& serial, bool is_owed);
   void start_guard(const std::string& node) noexcept;
   bool is_overruled() const noexcept { return guard_.state() > GuardState::watching; }
   void heed_guard() noexcept;

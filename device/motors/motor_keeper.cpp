@@ -62,6 +62,7 @@ bool MotorKeeper::has_owed_returned() noexcept {
 // Somebody who plugs a device in again is not made to wait.
 void MotorKeeper::let_go(double pause_s) noexcept {
   const bool has_gone = link().fault() == LinkFault::unplugged;
+  if (stage_ == Stage::open) debts_->postpone(serial_);
   opener_.close();
   if (has_gone) is_there_ = false;
   stage_ = Stage::pausing;

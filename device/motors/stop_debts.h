@@ -31,6 +31,12 @@ class StopDebts {
   void add(const DeviceSerial& serial) noexcept {
     if (count_ < most && !has(serial)) serials_[count_++] = serial;
   }
+  // It could not be paid now: the others come first.
+  void postpone(const DeviceSerial& serial) noexcept {
+    if (!has(serial)) return;
+    remove(serial);
+    add(serial);
+  }
   void remove(const DeviceSerial& serial) noexcept {
     const std::size_t place = place_of(serial);
     if (place == most) return;

@@ -102,7 +102,8 @@ std::optional<hapi::PerPort<double>> HaplyRig::ask_board(const hapi::PerPort<dou
 void HaplyRig::recover() {
   const bool has_forgotten = reader_.holds_address_alone();
   port_.write(hapi::zero_exchange());
-  const bool is_set_up = has_forgotten && set_up();  // which stops motors where zeros no longer reach them
+  // That stops motors where zeros no longer reach them, if the board takes it.
+  const bool is_set_up = has_forgotten && set_up() && ask_board({}).has_value();
   forget_replies();
   next_ns_ = watched_ns_ = port_.now_ns();
   if (has_forgotten) {

@@ -112,6 +112,19 @@ TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
   EXPECT_GT(count_marks(Role::motor_axis), 0);
 }
 
+TEST_F(HaplyWindow, DrawsNoLinksOfABoardThatDoesNotAnswer) {
+  confirm();
+  frames(2);
+  ASSERT_GT(count_marks(Role::linkage), 3);
+  InjectedHaplyFault mute;
+  mute.reply = HaplyReplyFault::lost;
+  port_->inject(mute);
+  frames(2, 100);
+  ASSERT_FALSE(motors().waits_for_zero_pose);
+  EXPECT_EQ(count_marks(Role::linkage), 0) << "they would be taken for the pose to put the arms into";
+  EXPECT_EQ(count_marks(Role::device), 0);
+}
+
 TEST_F(HaplyWindow, TheViewFollowsHandAndTarget) {
   const auto is_in_view = [&](const Vector<2>& place) {
     const StagePicture& picture = screen().stage().picture();

@@ -191,6 +191,29 @@ TEST_F(OwedBoards, NothingElseIsUsedWhileTheOwedOneIsThereAndCannotBeHad) {
   EXPECT_GE(ms_until([&] { return !a.pushes(); }, 0.5), 0);
 }
 
+// The first one answers nothing, or is another program's.
+TEST_F(OwedBoards, AnOwedOneThatCannotBeStoppedKeepsNoOtherFromIt) {
+  for (const bool is_busy : {true, false}) {
+    SCOPED_TRACE(is_busy);
+    push_with_b_while_a_is_owed();
+    b.unplug();
+    run(0.05);
+    InjectedHaplyFault mute;
+    mute.reply = HaplyReplyFault::lost;
+    a.plug();
+    a.is_busy = is_busy;
+    if (!is_busy) a.port.inject(mute);
+    b.plug();
+    is_armed = false;
+    EXPECT_GE(ms_until([&] { return !b.pushes(); }, 4.0), 0);
+    EXPECT_TRUE(report().may_still_push);
+    a.is_busy = false;
+    a.port.inject({});
+    EXPECT_GE(ms_until([&] { return !report().may_still_push; }, 4.0), 0);
+    EXPECT_FALSE(a.pushes());
+  }
+}
+
 TEST_F(OwedBoards, AtTheEndOfTheProgramTheOtherOneIsNoHindrance) {
   push_with_b_while_a_is_owed();
   a.plug();

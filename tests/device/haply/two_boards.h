@@ -119,7 +119,12 @@ class TwoBoards final : public SerialPort {
     return first;
   }
   SimulatedBoard* choose(const StopDebts& owed) const {
-    if (SimulatedBoard* const first = debtor(owed)) return first;
+    if (SimulatedBoard* const first = debtor(owed)) {
+      StopDebts others = owed;
+      others.remove(device_serial_of(first->serial));
+      SimulatedBoard* const second = first->is_busy ? debtor(others) : nullptr;
+      return second != nullptr ? second : first;
+    }
     std::vector<SimulatedBoard*> there;
     for (SimulatedBoard* const board : boards_) {
       if (board->is_plugged && (named_ == nullptr || board == named_)) there.push_back(board);

@@ -59,6 +59,22 @@ INSTANTIATE_TEST_SUITE_P(, BySignal,
 
 class DyingHaply : public DyingHaplyTest {};
 
+// Zeros do not reach it, and nobody waits until the program has noticed.
+TEST_F(DyingHaply, IsToldToEndWhereTheBoardWasSetUpForAnotherAddress) {
+  title = "SIGTERM, board set up by another program";
+  has_noted = true;
+  ASSERT_NO_FATAL_FAILURE(start("wait"));
+  ASSERT_TRUE(becomes([&] { return board.heard().has_duty(); }));
+  InjectedHaplyFault wrong;
+  wrong.is_another_programs = true;
+  board.inject(wrong);
+  program->send(SIGTERM);
+  EXPECT_EQ(program->wait_for_end(), interrupted);
+  expect_port_is_free();
+  expect_zero();
+  expect_it_stays();
+}
+
 // The program's, and not that of this test. The guard is in none of its groups.
 TEST_F(DyingHaply, TheWholeProcessGroupIsKilled) {
   title = "process group killed";

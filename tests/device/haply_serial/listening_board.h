@@ -114,6 +114,7 @@ class ListeningBoard {
   }
   void lead_hand(const HaplyHandPlan& plan) { bench_.lead_hand(plan); }
   void hold_zero_pose(bool holds) { bench_.hold_zero_pose(holds); }
+  void inject(const InjectedHaplyFault& wrong) { bench_.inject(wrong); }
 
  private:
   static constexpr std::int64_t tick_ns = 200'000;

@@ -5,11 +5,13 @@
 #include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <termios.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
 #include <numeric>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,7 @@
 #include "device/motors/emergency_stop.h"
 #include "tests/device/haply_serial/mock_system.h"
 #include "tests/device/haply_serial/pseudo_terminal.h"
+#include "tests/support/small_files.h"
 
 namespace ghostforce::tty_port_test {
 namespace {
@@ -44,8 +47,9 @@ Bytes stops(std::size_t count) {
   return all;
 }
 
-// What a guard sends: zeros, and among them a set up, which ends the force of a board that has forgotten its address.
-bool is_of_guard(const Bytes& bytes, std::size_t least_stops) {
+// What a guard sends, and a port that closes while motors may push: zeros, and among them a set up, which ends the force
+// of a board that has forgotten its address.
+bool is_stopping(const Bytes& bytes, std::size_t least_stops) {
   const Bytes set_up = bytes_of(hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}}));
   const auto found = std::ranges::search(bytes, set_up);
   if (found.empty()) return false;
@@ -185,13 +189,30 @@ TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
   ASSERT_EQ(any.open_first(owed), LinkFault::none);
   EXPECT_EQ(any.serial(), "TWO");
   any.close();
-  EXPECT_EQ(two.receive_all(), stops(2));  // it may have been pushing all the time
+  EXPECT_TRUE(is_stopping(two.receive_all(), 2));  // it may have been pushing all the time
 
   TtyPort chosen({.path = system.node("ttyACM0"), .is_guarded = false, .places = system.places()});
   ASSERT_EQ(chosen.open_first(owed), LinkFault::none);
   EXPECT_EQ(chosen.serial(), "TWO");
   ASSERT_EQ(chosen.open(), LinkFault::none);
   EXPECT_EQ(chosen.serial(), "ONE");
+}
+
+TEST(TtyPort, ABoardThatIsOwedAStopAndCannotBeHadKeepsNoOtherFromIt) {
+  const PseudoTerminal one;
+  const PseudoTerminal two;
+  const MockSystem system;
+  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
+  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  StopDebts owed;
+  owed.add(device_serial_of("ONE"));
+  TtyPort other({.path = one.path(), .is_guarded = false});
+  ASSERT_EQ(other.open(), LinkFault::none);
+  TtyPort port({.is_guarded = false, .places = system.places()});
+  EXPECT_EQ(port.open_first(owed), LinkFault::busy) << "one that is owed nothing is not used";
+  owed.add(device_serial_of("TWO"));
+  ASSERT_EQ(port.open_first(owed), LinkFault::none);
+  EXPECT_EQ(port.serial(), "TWO");
 }
 
 // Many boards have no serial number, and what is plugged in where one was gets its path.
@@ -299,7 +320,7 @@ TEST(TtyPort, ClosesWithZerosWhereMotorsMayPush) {
   ASSERT_EQ(port.open(), LinkFault::none);
   port.set_may_push(true);
   port.close();
-  EXPECT_EQ(terminal.receive_all(), stops(2));
+  EXPECT_TRUE(is_stopping(terminal.receive_all(), 2));
 }
 
 TEST(TtyPort, ClosesWithoutAWordWhereMotorsAreOff) {
@@ -333,18 +354,20 @@ TEST(TtyPort, StopsAtOnce) {
 }
 
 // In a process of its own, since it cannot be taken back.
-TEST(TtyPort, SendsZerosAloneAfterTheEmergencyStop) {
+TEST(TtyPort, SendsNothingThatPushesAfterTheEmergencyStop) {
   const PseudoTerminal terminal;
   const auto stop_and_go_on = [&terminal] {
     TtyPort port(unguarded(terminal.path()));
     if (port.open() != LinkFault::none) _exit(1);
     emergency_stop::watch(&port);
     emergency_stop::stop_motors();
-    if (port.write(push()) || port.write(bytes_of(hapi::encode(hapi::SetUp{})))) _exit(2);
-    _exit(port.write(stop()) ? 0 : 3);
+    if (port.write(push())) _exit(2);
+    // A board that has forgotten its address takes no zeros.
+    const bool is_set_up = port.write(bytes_of(hapi::encode({.counts_per_turn = {4880.0F, 4880.0F}})));
+    _exit(is_set_up && port.write(stop()) ? 0 : 3);
   };
   EXPECT_EXIT(stop_and_go_on(), testing::ExitedWithCode(0), "");
-  EXPECT_EQ(terminal.receive_all(), stops(3));
+  EXPECT_TRUE(is_stopping(terminal.receive_all(), 2));
 }
 
 // --- The guard ---
@@ -379,15 +402,29 @@ TEST(TtyPort, TheGuardOverrulesAProgramThatStandsStill) {
   TtyPort port({.path = terminal.path()});
   ASSERT_TRUE(open_with_guard(port));
   port.set_may_push(true);
-  EXPECT_TRUE(is_of_guard(terminal.receive(stops(10).size() + hapi::SetUpPacket{}.size()), 10));
+  EXPECT_TRUE(is_stopping(terminal.receive(stops(10).size() + hapi::SetUpPacket{}.size()), 10));
   EXPECT_FALSE(port.write(push()));
   EXPECT_EQ(port.fault(), LinkFault::overruled);
   EXPECT_FALSE(port.is_guarded());
   EXPECT_TRUE(port.write(stop()));
   port.close();
-  const Bytes after = terminal.receive_all();
-  EXPECT_EQ(after, stops(after.size() / stop().size()));
+  EXPECT_TRUE(is_stopping(terminal.receive_all(), 1));
   EXPECT_TRUE(open_with_guard(port));
+}
+
+TEST(TtyPort, AGuardThatIsGoneIsNoticedAtOnce) {
+  const PseudoTerminal terminal;
+  TtyPort port({.path = terminal.path()});
+  ASSERT_TRUE(open_with_guard(port));
+  siginfo_t ended{};
+  const std::string children = read_whole("/proc/self/task/" + std::to_string(gettid()) + "/children");
+  const pid_t guard = std::stoi(children);
+  kill(guard, SIGKILL);
+  ASSERT_EQ(waitid(P_PID, static_cast<id_t>(guard), &ended, WEXITED | WNOWAIT), 0);
+  port.wait_until(port.now_ns());  // looks
+  EXPECT_FALSE(port.is_guarded());
+  EXPECT_FALSE(port.write(push()));
+  EXPECT_EQ(port.fault(), LinkFault::unguarded);
 }
 
 TEST(TtyPort, TheGuardStopsMotorsOfAProgramThatWasKilled) {
@@ -404,7 +441,7 @@ TEST(TtyPort, TheGuardStopsMotorsOfAProgramThatWasKilled) {
   kill(program, SIGKILL);
   waitpid(program, nullptr, 0);
   const Bytes after = terminal.receive_all();
-  EXPECT_TRUE(is_of_guard(after, 10));
+  EXPECT_TRUE(is_stopping(after, 10));
 }
 
 }  // namespace

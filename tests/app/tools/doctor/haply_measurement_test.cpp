@@ -380,6 +380,28 @@ TEST(HaplyMeasurement, SaysThatAMotorMayStillPushWhereTheCableIsPulledOut) {
   }
 }
 
+// It would be believed.
+TEST(HaplyMeasurement, DoesNotSayThatMotorsWereStoppedWhereTheBoardTakesNoSetUp) {
+  for (const bool takes_set_ups : {true, false}) {
+    HaplyRehearsal rehearsal;
+    InjectedHaplyFault forgets;
+    forgets.is_another_programs = true;  // with a force
+    forgets.refuses_set_ups = !takes_set_ups;
+    rehearsal.port->on_drive = [&] {
+      if (rehearsal.person->title == "Friction") rehearsal.port->port.inject(forgets);
+    };
+    await_haply(*rehearsal.haply);
+    try {
+      measure_haply(*rehearsal.haply, *rehearsal.person, rehearsal.before, rehearsal.debts.get());
+      ADD_FAILURE() << "the board is well";
+    } catch (const Failure& failure) {
+      const std::string words = failure.what();
+      EXPECT_EQ(words.find("Its motors were stopped.") != std::string::npos, takes_set_ups) << words;
+      EXPECT_EQ(rehearsal.port->port.duties() == off, takes_set_ups) << words;
+    }
+  }
+}
+
 TEST(HaplyMeasurement, EndsWhereTheBoardForgetsOrFallsSilent) {
   InjectedHaplyFault restarts;
   restarts.restarts = true;
