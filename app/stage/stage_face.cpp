@@ -199,6 +199,8 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
   const auto step = std::ranges::find_if(loop.readiness, &ReadinessStepState::is_current);
   if (loop.motors.waits_for_zero_pose && !session.kiosk_visit) {
     if (loop.motors.zero_pose_moved) return std::string(stage_language(session.language).device.zero_pose_moved);
+    if (loop.motors.reason == OffReason::not_homed)
+      return std::string(stage_language(session.language).device.zero_pose_lost);
     return filled(stage_language(session.language).device.zero_pose, front_keys().device_status.shown);
   }
   const std::string finding = finding_words(loop.motors, stage_language(session.language).device);

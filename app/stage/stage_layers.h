@@ -139,6 +139,7 @@ SlideRuler round_ruler(const StageLayer& layer, const Vector<2>& from, const Vec
 double shape_reach(const StageMoment& moment, double radius);
 
 inline constexpr double handle_radius = 17.0;  // [points of the design]
+inline constexpr double target_radius = 13.0;
 inline constexpr double arrow_width = 14.0;
 inline constexpr double measuring_ring = 62.0;  // round the hand, its radius
 

@@ -210,8 +210,12 @@ void add_expectations(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   const Theme& theme = content.theme;
   const StageMoment& moment = content.moment;
-  if (!moment.in_contact) return;
   const Vector<2> foot = canvas.at(moment.expected_contact);
+  if (moment.has_target) {
+    canvas.ring(Role::target, foot, canvas.points(target_radius), canvas.width(3.0), theme.text);
+    canvas.disc(Role::target, foot, canvas.points(4.0), theme.text, theme.text, 0.0);
+  }
+  if (!moment.in_contact) return;
   const Vector<2> goal = canvas.at(moment.goal);
   canvas.line(Role::expected_contact, goal, foot, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
   canvas.labels.keep_clear(goal, foot, canvas.width(1.0), Clearance::if_possible);

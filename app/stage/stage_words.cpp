@@ -102,7 +102,7 @@ void add_expectation_words(const StageLayer& layer) {
                   layout.letters.bold_words,
                   canvas.at(moment.expected_contact),
                   canvas.at(moment.expected_contact),
-                  canvas.points(7.0),
+                  canvas.points(target_radius),
                   into_the_wall(content, moment.expected_contact)},
                  content.theme.text);
   }
@@ -230,11 +230,15 @@ void add_motor_words(const StageLayer& layer) {
   const Vector<2>& along = motors.directions[0];
   const double angle = content.settings.general.mechanism == MechanismKind::axes ? content.settings.actuated_angle
                                                                                  : std::atan2(along.y, along.x);
+  const std::string direction = motor_direction_words(angle, content.language);
+  const bool is_one_of_two = content.motors_in_use && *content.motors_in_use != MotorsInUse::both;
+  const int number = content.motors_in_use == MotorsInUse::second ? 2 : 1;
   const std::string words = trembles           ? std::string(all.motor_measures)
                             : is_asked_to_turn ? std::string(all.motor_to_turn)
                             : motors.only_pulls
                                 ? std::string(all.strings_pull)
-                                : filled(all.motor_pushes, motor_direction_words(angle, content.language));
+                            : is_one_of_two ? filled(content.language.device.motor_pushes, number, direction)
+                                            : filled(all.motor_pushes, direction);
   const auto ends =
       motors.only_pulls
           ? std::array{canvas.at(content.moment.handle), canvas.at(content.settings.general.strings.anchors[0])}

@@ -34,10 +34,9 @@ bool is_covered(const StagePicture& picture, std::span<const StageStroke> stroke
   });
 }
 
-// A handle there is whole, and below nothing.
-bool is_in_sight(const StagePicture& picture, const Vector<2>& place) {
-  constexpr double handle_radius = 16.0;  // of the design [points]
-  const double radius = handle_radius * picture.unit;
+// A handle there is whole, and below nothing; or what reaches so far [points of the design].
+bool is_in_sight(const StagePicture& picture, const Vector<2>& place, double reach = 16.0) {
+  const double radius = reach * picture.unit;
   const Vector<2> handle = to_screen(picture.pane.camera, place);
   const auto lies_over = [&](const std::optional<ScreenBox>& box) {
     return box && contains(box->grown(radius), handle);
@@ -87,7 +86,10 @@ void ViewFollower::follow_measured(Session& session, const Moment& moment) {
   const std::optional<Vector<2>> target = target_of(session, moment.frame.loop.motors);
   const bool is_new_target = std::exchange(target_, target) != target;
   const std::size_t must_be_seen = is_new_target ? places.size() : is_chosen_ ? 1 : 2;
-  const auto is_seen = [&](const Vector<2>& place) { return is_in_sight(moment.picture, place); };
+  constexpr double hand_reach = 60.0;
+  const auto is_seen = [&](const Vector<2>& place) {
+    return &place == &places[1] ? is_in_sight(moment.picture, place, hand_reach) : is_in_sight(moment.picture, place);
+  };
   if (std::ranges::all_of(std::span(places).first(must_be_seen), is_seen)) return;
   session.stage_shown = fitting_view(session, moment);
   is_chosen_ = false;

@@ -224,7 +224,7 @@ void Haply::exchange() noexcept {
     return send_set_up();
   }
   if (is_stop_due) return send_zeros();
-  if (wants_zero_pose_ && !keeper_.may_push() && !replies_.is_waiting()) {
+  if (wants_zero_pose_ && !keeper_.may_push()) {
     wants_zero_pose_ = false;
     if (still_ns_ == 0 || since(still_ns_) < still_s) {
       report_.zero_pose = ZeroPose::moving;
@@ -284,8 +284,9 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   // By when they were asked for: late replies come together, and are not of one moment.
   const Verdict verdict = leap_filter_.add(angles, *asked_ns);
   if (verdict == Verdict::odd) return;
-  // An encoder that leaps farther than a hand can move an arm has lost its count.
-  if (verdict == Verdict::leapt) lose_count();
+  // An encoder that leaps farther than a hand can move an arm has lost its count. Where replies are late nobody knows
+  // what moment they are of, and no motor pushes.
+  if (verdict == Verdict::leapt && !report_.is_lagging) lose_count();
   report_.angles = angles;
   follow_stillness();
   if (report_.zero_pose == ZeroPose::setting) judge_zero_pose();

@@ -112,6 +112,22 @@ TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
   EXPECT_GT(count_marks(Role::motor_axis), 0);
 }
 
+TEST_F(HaplyWindow, ALostCountAsksForTheZeroPoseAndNothingElse) {
+  turn_on();
+  InjectedHaplyFault jump;
+  find_injected_haply_fault("encoder-jump")->add(jump);
+  port_->inject(jump);
+  lead_hand_to(inside);
+  ASSERT_TRUE(frames_until(1.0, [&] { return motors().reason == OffReason::not_homed; }));
+  frames(3);
+  EXPECT_TRUE(sentence().starts_with("The device has lost its count.")) << sentence();
+  EXPECT_EQ(motor_words(motors(), stage_language("en")), "Zero pose is held");
+  port_->inject({});
+  confirm();
+  frames(3);
+  EXPECT_EQ(motors().reason, OffReason::none) << "who has confirmed it knows why";
+}
+
 TEST_F(HaplyWindow, DrawsNoLinksOfABoardThatDoesNotAnswer) {
   confirm();
   frames(2);
@@ -135,9 +151,11 @@ TEST_F(HaplyWindow, TheViewFollowsHandAndTarget) {
   frames(60);
   EXPECT_TRUE(is_in_view(motors().handle));
   const Vector<2> target = projection(wall_of(session().settings), session().scene->goal.points.back());
+  EXPECT_EQ(count_marks(Role::target), 0);
   act(AimAtTarget{true});
   frames(60);
   EXPECT_TRUE(is_in_view(target));
+  EXPECT_GE(count_marks(Role::target), 2) << "to aim at, before anybody touches the wall";
   EXPECT_TRUE(sentence().starts_with("Aim at the target")) << sentence();
   // Whoever moves the view away has it so, until Fit.
   act(MoveView{{0.0, 0.15}});

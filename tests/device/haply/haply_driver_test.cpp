@@ -96,6 +96,10 @@ TEST(HaplyDriver, ABoardWhoseAnswersAreLateIsNotSaidToCountWrongly) {
   ASSERT_TRUE(haply.run_until(1.0, [&] { return haply.haply().state == HaplyState::zero_pose; }));
   haply.inject("late-50ms");
   EXPECT_TRUE(haply.set_zero_pose());
+  // Nobody knows what moment a late answer is of.
+  haply.lead({0.03, 0.02}, 0.1);
+  haply.run(0.5);
+  EXPECT_EQ(haply.haply().state, HaplyState::idle) << static_cast<int>(haply.haply().fault);
   EXPECT_FALSE(haply.motors().is_ready) << "but nobody may arm it";
 }
 
