@@ -51,9 +51,9 @@ class ViewFollower {
   SceneView wanted_{};                    // of the frame before
   std::shared_ptr<const Scene> scene_{};  // of the frame before
   bool is_moving_ = false;
-  bool is_chosen_ = false;    // a person has moved it, and nothing else since
+  bool is_chosen_ = false;             // a person has moved it, and nothing else since
   std::optional<Vector<2>> target_{};  // of a hand at a device, that has been looked for
-  Subject subject_{};         // of the view, or found in sight with it
+  Subject subject_{};                  // of the view, or found in sight with it
   std::vector<Left> left_{};  // views that were left because something was covered or past, the last at the end
 };
 
