@@ -246,10 +246,23 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
   }
 }
 
+// Before it has been known once, it is unknown; and of one answer that is late nothing is to be seen.
+void StageFace::follow_handle(const MotorReport& motors, double interval_s) noexcept {
+  if (!motors.has_motors) unknown_s_ = patience_s;
+  if (motors.has_motors) unknown_s_ = motors.is_handle_known ? 0.0 : unknown_s_ + interval_s;
+}
+
+bool StageFace::handle_is_unknown(const StageFrame& frame) const noexcept {
+  const MotorReport& motors = frame.loop.motors;
+  const bool is_unknown = motors.has_motors && !motors.is_handle_known && !frame.shown.is_past;
+  return is_unknown && (motors.waits_for_zero_pose || unknown_s_ >= patience_s);
+}
+
 void StageFace::update(Session& session, const ActionSink& apply, const StageFrame& frame, bool has_keys,
                        double interval_s) {
   pointer_.update(session, apply, frame, picture_);
-  const bool is_busy = transition_.is_running() || show_.is_on();
+  follow_handle(frame.loop.motors, interval_s);
+  const bool is_busy = transition_.is_running() || show_.is_on() || handle_is_unknown(frame);
   view_.follow(session, {frame, picture_, pointer_.is_holding(), is_busy, has_rest_}, interval_s);
   // What begins in this frame begins at its beginning.
   transition_.advance(interval_s);
@@ -347,8 +360,10 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
   content.measuring_button = measuring_button(session, frame.loop.motors);
   content.corner = corner_button(session, frame.loop.motors, content.guess, guess_.is_revealing());
   const MotorReport& motors = frame.loop.motors;
-  if (!frame.shown.is_past) content.linkage = motors.linkage;
-  content.handle_is_unknown = motors.has_motors && !motors.is_handle_known && !frame.shown.is_past;
+  content.handle_is_unknown = handle_is_unknown(frame);
+  if (!frame.shown.is_past && (!content.handle_is_unknown || motors.waits_for_zero_pose)) {
+    content.linkage = motors.linkage;
+  }
   if (content.handle_is_unknown) {
     content.hides = {.numbers = true, .force = true, .slide = true, .rest = true, .handle = true};
     if (content.linkage) content.shown = stage_view_of(*content.linkage);
@@ -358,7 +373,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
                                                                       : MotorsInUse::second;
   }
   if (session.stage.mode == StageMode::ribbon) content.moments = &frame.history.moments();
-  if (session.stage.mode == StageMode::round && frame.loop.circle) {
+  if (session.stage.mode == StageMode::round && frame.loop.circle && !content.handle_is_unknown) {
     const CircleReading& reading = *frame.loop.circle;
     content.shown = view_of_round(shown.settings, reading.circle, content.reference_force);
     const std::optional<double> turn_s = turn_to_show(frame.loop);

@@ -55,8 +55,13 @@ class StageFace {
   Shown shown_in(const Session& session, const StageFrame& frame) const;
   StageContent content_of(const Session& session, const StageFrame& frame, const Shown& shown) const;
   void follow_session(const Session& session, const StageFrame& frame);
+  void follow_handle(const MotorReport& motors, double interval_s) noexcept;
+  bool handle_is_unknown(const StageFrame& frame) const noexcept;
+
+  static constexpr double patience_s = 0.3;
 
   StagePicture picture_;
+  double unknown_s_ = patience_s;  // since when nobody knows where the handle of a device is [s]
   LabelMemory memory_;
   SentenceWidths widths_;
   StageTransition transition_{StrategyId::full};

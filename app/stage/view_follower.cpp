@@ -84,7 +84,7 @@ SceneView fitting_view(const Session& session, const ViewFollower::Moment& momen
 void ViewFollower::follow_measured(Session& session, const Moment& moment) {
   const std::vector<Vector<2>> places = measured_places(session, moment.frame);
   const std::optional<Vector<2>> target = target_of(session, moment.frame.loop.motors);
-  const bool is_new_target = std::exchange(target_, target) != target;
+  const bool is_new_target = std::exchange(target_, target) != target && target;
   const std::size_t must_be_seen = is_new_target ? places.size() : is_chosen_ ? 1 : 2;
   constexpr double hand_reach = 60.0;
   const auto is_seen = [&](const Vector<2>& place) {

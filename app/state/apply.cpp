@@ -274,7 +274,6 @@ void act(Session& session, const ArmMotors&) {
 
 void act(Session& session, const ConfirmZeroPose&) {
   ++session.zero_poses_confirmed;
-  ++session.acknowledgements;  // that it was lost
 }
 
 void act(Session& session, const StopMotors&) {

@@ -5,19 +5,14 @@
 namespace ghostforce {
 namespace {
 
-// Nothing else ends that they are off because it was lost.
-bool asks_for_zero_pose(const MotorReport& motors) noexcept {
-  return motors.waits_for_zero_pose && (motors.reason == OffReason::none || motors.reason == OffReason::not_homed);
-}
-
 std::string_view words_in(const StageLanguage::Motors& all, const MotorReport& motors) {
   if (!motors.has_motors) return all.none;
   switch (motors.state) {
     case SafetyState::off:
       if (motors.may_still_push) return all.may_still_push;
-      if (asks_for_zero_pose(motors)) return all.zero_pose;
       if (motors.reason == OffReason::key) return all.off_by_key;
       if (motors.reason != OffReason::none) return all.off;
+      if (motors.waits_for_zero_pose) return all.zero_pose;
       return motors.is_ready ? all.arm : all.not_ready;
     case SafetyState::arming:
       return motors.has_focus ? all.arming : all.arming_without_keys;
@@ -105,10 +100,10 @@ std::optional<Action> action_of_motor_button(const MotorReport& motors) {
   if (!motors.has_motors) return std::nullopt;
   if (motors.state != SafetyState::off) return StopMotors{};
   if (motors.may_still_push) return OpenDialog{Dialog::doctor};
-  if (asks_for_zero_pose(motors)) return ConfirmZeroPose{};
   // For a moment, so that a press in haste does not arm what another one has just turned off.
   if (motors.reason == OffReason::key) return std::nullopt;
   if (motors.reason != OffReason::none) return AcknowledgeOff{};
+  if (motors.waits_for_zero_pose) return ConfirmZeroPose{};
   if (motors.is_ready) return ArmMotors{};
   return OpenDialog{Dialog::doctor};
 }

@@ -68,7 +68,7 @@ struct FalconReport {
   // A device, this one or another, was told to stop and has not answered since: until it does, only its power plug
   // helps for certain.
   bool may_still_push = false;
-  DeviceSerial owed_serial;  // of the one for which that has been so for longest
+  DeviceSerial owed_serial;  // of one of them
 
   bool has_firmware_file = false;
   bool has_firmware = false;  // the device answers frames

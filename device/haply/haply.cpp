@@ -30,19 +30,6 @@ bool are_near(const std::array<double, 2>& a, const std::array<double, 2>& b, do
   return std::abs(a[0] - b[0]) <= reach && std::abs(a[1] - b[1]) <= reach;
 }
 
-hapi::SetUp set_up_of(const HaplyCalibration& calibration) noexcept {
-  hapi::SetUp set_up;
-  for (const HaplyArm& arm : calibration.arms) {
-    const std::size_t motor = arm.motor_port - 1U;
-    const std::size_t encoder = arm.encoder_port - 1U;
-    set_up.motor_directions[motor] = arm.motor_direction;
-    set_up.encoder_directions[encoder] = arm.encoder_direction;
-    set_up.offsets_deg[encoder] = static_cast<float>(arm.offset_deg);
-    set_up.counts_per_turn[encoder] = static_cast<float>(arm.counts_per_turn);
-  }
-  return set_up;
-}
-
 }  // namespace
 
 Haply::Haply(std::unique_ptr<SerialPort> port, HaplyOptions options)
@@ -193,6 +180,7 @@ void Haply::begin_exchanging() noexcept {
 }
 
 void Haply::forget_home() noexcept {
+  has_leapt_ = false;
   report_.zero_pose = ZeroPose::not_confirmed;
   report_.has_moved = {};
   report_.workspace_share = 1.0;
@@ -224,7 +212,8 @@ void Haply::exchange() noexcept {
     return send_set_up();
   }
   if (is_stop_due) return send_zeros();
-  if (wants_zero_pose_ && !keeper_.may_push()) {
+  // What was heard last says where the arms are now.
+  if (wants_zero_pose_ && !keeper_.may_push() && since(heard_ns_) <= stop_s) {
     wants_zero_pose_ = false;
     if (still_ns_ == 0 || since(still_ns_) < still_s) {
       report_.zero_pose = ZeroPose::moving;
@@ -284,9 +273,10 @@ void Haply::take(const hapi::PerPort<double>& degrees) noexcept {
   // By when they were asked for: late replies come together, and are not of one moment.
   const Verdict verdict = leap_filter_.add(angles, *asked_ns);
   if (verdict == Verdict::odd) return;
-  // An encoder that leaps farther than a hand can move an arm has lost its count. Where replies are late nobody knows
-  // what moment they are of, and no motor pushes.
-  if (verdict == Verdict::leapt && !report_.is_lagging) lose_count();
+  // An encoder that leaps farther than a hand can move an arm has lost its count. While replies are late nobody knows
+  // what moment they are of: what leapt then is believed no more once they are in time again.
+  has_leapt_ |= verdict == Verdict::leapt;
+  if (has_leapt_ && !report_.is_lagging) lose_count();
   report_.angles = angles;
   follow_stillness();
   if (report_.zero_pose == ZeroPose::setting) judge_zero_pose();
@@ -345,6 +335,7 @@ void Haply::locate(std::int64_t asked_ns) noexcept {
 }
 
 void Haply::lose_count() noexcept {
+  has_leapt_ = false;
   if (report_.zero_pose != ZeroPose::confirmed) return;
   forget_home();
   report_.state = HaplyState::zero_pose;

@@ -163,6 +163,7 @@ class Haply {
                                                   .per_s = 0.0,
                                                   .per_s_squared = 4e5 * radians_per_degree,
                                                   .greatest = 15.0 * radians_per_degree}};
+  bool has_leapt_ = false;         // since the zero pose was confirmed
   std::array<double, 2> least_{};  // since the zero pose was confirmed, or the arms were still [rad]
   std::array<double, 2> greatest_{};
   std::array<double, 2> still_least_{};

@@ -79,6 +79,19 @@ constexpr std::array variants{
 
 }  // namespace
 
+hapi::SetUp set_up_of(const HaplyCalibration& calibration) noexcept {
+  hapi::SetUp set_up;
+  for (const HaplyArm& arm : calibration.arms) {
+    const std::size_t motor = arm.motor_port - 1U;
+    const std::size_t encoder = arm.encoder_port - 1U;
+    set_up.motor_directions[motor] = arm.motor_direction;
+    set_up.encoder_directions[encoder] = arm.encoder_direction;
+    set_up.offsets_deg[encoder] = static_cast<float>(arm.offset_deg);
+    set_up.counts_per_turn[encoder] = static_cast<float>(arm.counts_per_turn);
+  }
+  return set_up;
+}
+
 std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept {
   return {calibration.arms[0].offset_deg * radians_per_degree, calibration.arms[1].offset_deg * radians_per_degree};
 }

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/conventions.h"
+#include "device/haply/hapi.h"
 #include "device/haply/haply_kinematics.h"
 #include "device/motors/device_serial.h"
 
@@ -40,6 +41,8 @@ struct HaplyCalibration {
   friend bool operator==(const HaplyCalibration&, const HaplyCalibration&) = default;
 };
 
+// What the board is told of it.
+hapi::SetUp set_up_of(const HaplyCalibration& calibration) noexcept;
 // Angles of the arms in the zero pose [rad].
 std::array<double, 2> zero_pose_of(const HaplyCalibration& calibration) noexcept;
 

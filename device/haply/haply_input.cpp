@@ -91,7 +91,7 @@ HandleReading HaplyInput::read() noexcept {
   } else {
     speed_.forget();
   }
-  if (!reading_.is_known) reading_.linkage.reset();
+  if (!report.is_readable()) reading_.linkage.reset();
   // Where nobody knows the links, they are shown as a person is to put them.
   if (report.state == HaplyState::zero_pose) {
     const HaplyCalibration& calibration = haply_.calibration();

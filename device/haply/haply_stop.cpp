@@ -79,7 +79,14 @@ void Haply::say_goodbye() noexcept {
   const bool is_waiting = replies_.is_waiting();
   command_ = {};
   send_command();
-  const auto exchange_zeros = [this](int heard, std::int64_t until_ns) {
+  // A board that has forgotten its address answers with it alone, and takes no zeros: once, it is set up for that.
+  constexpr double short_s = 0.004;  // longer than the rest of a reply takes
+  bool has_set_up = false;
+  const auto exchange_zeros = [&](int heard, std::int64_t until_ns) {
+    if (!has_set_up && reader_.holds_address_alone() && since(sent_ns_) >= short_s) {
+      has_set_up = port_.write(hapi::encode(set_up_of(calibration_)));
+      reader_.reset();
+    }
     if (replies_.may_send(port_.now_ns()) || since(sent_ns_) >= stop_s) send_command();
     port_.wait_until(until_ns);
     return take_replies() ? heard + 1 : heard;

@@ -209,6 +209,7 @@ LinkFault TtyPort::take_one(const StopDebts& owed) {
     const LinkFault why_not =
         target.why_not == LinkFault::none ? take(target.node, target.serial, is_owed) : target.why_not;
     if (why_not == LinkFault::none) return LinkFault::none;
+    close();
     if (first == LinkFault::none) first = why_not;
   }
   return first;
@@ -281,15 +282,17 @@ bool TtyPort::is_still_port(int file) const noexcept {
   return fstat(file, &status) == 0 && S_ISCHR(status.st_mode) && status.st_rdev == device_;
 }
 
-// Zeros twice, as nobody waits for the answer, and a set up for a board that does not take them. Also after a packet that
-// was torn: what of these a board takes for the rest of it is a torque of next to nothing, because no byte of it is more
-// than the address. The guard is told that this program lives, or it would do the same at the same time. Whether they
-// have gone out.
+// Zeros twice, as nobody waits for the answer. Also after a packet that was torn: what of these a board takes for the rest
+// of it is a torque of next to nothing, because no byte of them is more than the address. Then a set up, for a board that
+// does not take them; once, as the published firmwares allocate at each and free nothing. The guard is told that this
+// program lives, or it would do the same at the same time. Whether they have gone out.
 bool TtyPort::insist_on_stop(std::int64_t deadline_ns) noexcept {
   const hapi::ExchangePacket stop = hapi::zero_exchange();
   const hapi::SetUpPacket set_up = last_set_up();
   const std::array<std::span<const std::uint8_t>, 3> packets{stop, stop, set_up};
-  for (std::size_t next = 0; next < packets.size();) {
+  const bool was_set_up = std::exchange(set_up_in_vain_, serial_) == serial_;
+  const std::size_t count = packets.size() - (was_set_up ? 1 : 0);
+  for (std::size_t next = 0; next < count;) {
     const std::int64_t now_ns = monotonic_ns();
     if (now_ns >= deadline_ns || !is_still_port(descriptor_)) return false;
     guard_.beat(now_ns);
@@ -321,6 +324,7 @@ bool TtyPort::empty_output(std::int64_t deadline_ns) noexcept {
 
 void TtyPort::set_may_push(bool may_push) noexcept {
   may_push_ = may_push;
+  if (!may_push && set_up_in_vain_ == serial_) set_up_in_vain_.clear();
   guard_.set_may_push(may_push, monotonic_ns());
 }
 

@@ -77,7 +77,8 @@ class TtyPort final : public SerialPort {
   MotorGuard guard_;
   LinkFault fault_ = LinkFault::absent;
   std::string serial_;
-  std::string in_use_;  // the number of the last one that was opened for more than a stop that it was owed
+  std::string in_use_;          // the number of the last one that was opened for more than a stop that it was owed
+  std::string set_up_in_vain_;  // the number of the one that was set up in closing, and has answered no zero since
   bool may_push_ = false;
   dev_t device_ = 0;  // of the port that was opened
 

@@ -124,7 +124,10 @@ class MotorKeeper {
     report.has_looked = has_looked_;
     report.serial = serial_;
     report.may_still_push = !debts_->empty();
-    report.owed_serial = debts_->empty() ? DeviceSerial() : debts_->serials().front();
+    // The one that is named stays, whatever is tried first.
+    if (!debts_->has(report.owed_serial)) {
+      report.owed_serial = debts_->empty() ? DeviceSerial() : debts_->serials().front();
+    }
   }
 
   // --- The end ---

@@ -1,5 +1,5 @@
-// StopDebts: the devices that were told to stop and have not answered a zero since, by their serial numbers, the oldest
-// debt first. That USB has taken a stop proves nothing: a chip that has lost its baud rate passes it on as noise.
+// StopDebts: the devices that were told to stop and have not answered a zero since, by their serial numbers, in the order
+// in which they are tried: one that could not be stopped comes last. That USB has taken a stop proves nothing: a chip that has lost its baud rate passes it on as noise.
 // A plain value, any thread; never allocates or throws.
 #pragma once
 
@@ -20,7 +20,7 @@ class StopDebts {
   bool empty() const noexcept { return count_ == 0; }
   std::span<const DeviceSerial> serials() const noexcept { return std::span(serials_).first(count_); }
 
-  // How old its debt is among these, from 0, the oldest; `most`: it is owed nothing.
+  // In that order, from 0; `most`: it is owed nothing.
   std::size_t place_of(const DeviceSerial& serial) const noexcept {
     const auto all = serials();
     const auto found = std::ranges::find(all, serial);

@@ -65,8 +65,8 @@ void await_haply(Haply& haply) {
 
 HaplyMeasurement measure_haply(Haply& haply, HaplyOperator& person, const HaplyCalibration& before, StopDebts* debts) {
   HaplyCalibration begin = before;
-  // A board without a serial number is known by its port, which the next one may have: what is measured is then kept
-  // for any board.
+  // A board without a serial number is known by its make and its socket, where the next one may be: what is measured is
+  // then kept for any board.
   begin.serial = is_serial(haply.report().serial.text()) ? haply.report().serial : DeviceSerial();
   HaplyMeasurement measurement;
   HaplyRig rig(person, haply, begin, debts);

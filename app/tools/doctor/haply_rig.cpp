@@ -181,14 +181,7 @@ void HaplyRig::rest(double seconds) {
 }
 
 bool HaplyRig::set_up() {
-  hapi::SetUp set_up;
-  for (const HaplyArm& arm : calibration_.arms) {
-    set_up.motor_directions[arm.motor_port - 1U] = arm.motor_direction;
-    set_up.encoder_directions[arm.encoder_port - 1U] = arm.encoder_direction;
-    set_up.offsets_deg[arm.encoder_port - 1U] = static_cast<float>(arm.offset_deg);
-    set_up.counts_per_turn[arm.encoder_port - 1U] = static_cast<float>(arm.counts_per_turn);
-  }
-  const bool is_written = port_.write(hapi::encode(set_up));
+  const bool is_written = port_.write(hapi::encode(set_up_of(calibration_)));
   forget_replies();
   return is_written;
 }

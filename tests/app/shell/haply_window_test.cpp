@@ -112,7 +112,7 @@ TEST_F(HaplyWindow, AsksForTheZeroPoseAndTakesItFromAPersonAlone) {
   EXPECT_GT(count_marks(Role::motor_axis), 0);
 }
 
-TEST_F(HaplyWindow, ALostCountAsksForTheZeroPoseAndNothingElse) {
+TEST_F(HaplyWindow, ALostCountIsSaidAndThenAsksForTheZeroPose) {
   turn_on();
   InjectedHaplyFault jump;
   find_injected_haply_fault("encoder-jump")->add(jump);
@@ -120,12 +120,13 @@ TEST_F(HaplyWindow, ALostCountAsksForTheZeroPoseAndNothingElse) {
   lead_hand_to(inside);
   ASSERT_TRUE(frames_until(1.0, [&] { return motors().reason == OffReason::not_homed; }));
   frames(3);
-  EXPECT_TRUE(sentence().starts_with("The device has lost its count.")) << sentence();
-  EXPECT_EQ(motor_words(motors(), stage_language("en")), "Zero pose is held");
-  port_->inject({});
-  confirm();
+  EXPECT_TRUE(sentence().starts_with("The device does not know where its arms are")) << sentence();
+  EXPECT_TRUE(std::holds_alternative<AcknowledgeOff>(*action_of_motor_button(motors())))
+      << "whoever wants to stop motors must not confirm anything";
+  act(AcknowledgeOff{});
   frames(3);
-  EXPECT_EQ(motors().reason, OffReason::none) << "who has confirmed it knows why";
+  EXPECT_TRUE(sentence().starts_with("Put the arms as they are drawn")) << sentence();
+  EXPECT_TRUE(std::holds_alternative<ConfirmZeroPose>(*action_of_motor_button(motors())));
 }
 
 TEST_F(HaplyWindow, DrawsNoLinksOfABoardThatDoesNotAnswer) {
@@ -136,6 +137,8 @@ TEST_F(HaplyWindow, DrawsNoLinksOfABoardThatDoesNotAnswer) {
   mute.reply = HaplyReplyFault::lost;
   port_->inject(mute);
   frames(2, 100);
+  EXPECT_GT(count_marks(Role::device), 0) << "one late answer is not to be seen";
+  frames(20, 20);
   ASSERT_FALSE(motors().waits_for_zero_pose);
   EXPECT_EQ(count_marks(Role::linkage), 0) << "they would be taken for the pose to put the arms into";
   EXPECT_EQ(count_marks(Role::device), 0);

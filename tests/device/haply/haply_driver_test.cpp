@@ -103,6 +103,23 @@ TEST(HaplyDriver, ABoardWhoseAnswersAreLateIsNotSaidToCountWrongly) {
   EXPECT_FALSE(haply.motors().is_ready) << "but nobody may arm it";
 }
 
+// Nobody would notice later.
+TEST(HaplyDriver, AnEncoderThatLeapsWhileAnswersAreLateHasLostItsCountOnceTheyAreNot) {
+  HeldHaply haply;
+  ASSERT_TRUE(haply.get_ready());
+  haply.inject("late-50ms");
+  haply.run(0.5);
+  ASSERT_TRUE(haply.haply().is_lagging);
+  haply.hold_with(2000.0);
+  haply.lead({0.03, 0.02}, 0.0);  // as quick as no hand is
+  haply.run(0.5);
+  EXPECT_EQ(haply.haply().state, HaplyState::idle);
+  haply.mend();
+  haply.run(0.2);
+  EXPECT_EQ(haply.haply().state, HaplyState::zero_pose);
+  EXPECT_EQ(haply.haply().fault, HaplyFault::lost_count);
+}
+
 // Once, wrongly, and once more: all that follows counts from the newest.
 TEST(HaplyDriver, TheZeroPoseMayBeSetAgain) {
   HeldHaply haply;

@@ -323,6 +323,26 @@ TEST(TtyPort, ClosesWithZerosWhereMotorsMayPush) {
   EXPECT_TRUE(is_stopping(terminal.receive_all(), 2));
 }
 
+// The published firmwares allocate at each set up and free nothing.
+TEST(TtyPort, SetsABoardUpInVainOnce) {
+  const PseudoTerminal terminal;
+  TtyPort port(unguarded(terminal.path()));
+  StopDebts owed;
+  owed.add(device_serial_of(terminal.path()));
+  const auto close_and_hear = [&] {
+    EXPECT_EQ(port.open_first(owed), LinkFault::none);
+    port.set_may_push(true);
+    port.close();
+    return terminal.receive_all();
+  };
+  EXPECT_TRUE(is_stopping(close_and_hear(), 2));
+  EXPECT_EQ(close_and_hear(), stops(2));
+  ASSERT_EQ(port.open_first(owed), LinkFault::none);
+  port.set_may_push(false);
+  port.close();
+  EXPECT_TRUE(is_stopping(close_and_hear(), 2)) << "it had answered";
+}
+
 TEST(TtyPort, ClosesWithoutAWordWhereMotorsAreOff) {
   const PseudoTerminal terminal;
   TtyPort port(unguarded(terminal.path()));
