@@ -233,12 +233,11 @@ void add_motor_words(const StageLayer& layer) {
   const std::string direction = motor_direction_words(angle, content.language);
   const bool is_one_of_two = content.motors_in_use && *content.motors_in_use != MotorsInUse::both;
   const int number = content.motors_in_use == MotorsInUse::second ? 2 : 1;
-  const std::string words = trembles           ? std::string(all.motor_measures)
-                            : is_asked_to_turn ? std::string(all.motor_to_turn)
-                            : motors.only_pulls
-                                ? std::string(all.strings_pull)
-                            : is_one_of_two ? filled(content.language.device.motor_pushes, number, direction)
-                                            : filled(all.motor_pushes, direction);
+  const std::string words = trembles            ? std::string(all.motor_measures)
+                            : is_asked_to_turn  ? std::string(all.motor_to_turn)
+                            : motors.only_pulls ? std::string(all.strings_pull)
+                            : is_one_of_two     ? filled(content.language.device.motor_pushes, number, direction)
+                                                : filled(all.motor_pushes, direction);
   const auto ends =
       motors.only_pulls
           ? std::array{canvas.at(content.moment.handle), canvas.at(content.settings.general.strings.anchors[0])}
