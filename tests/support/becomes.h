@@ -10,7 +10,7 @@ namespace ghostforce {
 
 // False: it takes too long. `meanwhile` is called again and again.
 inline bool becomes(const std::function<bool()>& as_wanted, const std::function<void()>& meanwhile = {}) {
-  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  const auto until = std::chrono::steady_clock::now() + std::chrono::minutes(4);
   while (!as_wanted()) {
     if (std::chrono::steady_clock::now() > until) return false;
     if (meanwhile) meanwhile();

@@ -56,8 +56,9 @@ class RunningProgram {
   RunningProgram& operator=(const RunningProgram&) = delete;
   ~RunningProgram();
 
-  // The next line of the standard output; none: there is no more, or none within so long.
-  std::optional<std::string> next_line(std::chrono::milliseconds patience);
+  // The next line of the standard output; none: there is no more, or none within so long. A machine that is busy with
+  // other things may let an armed program get no farther for a minute and more.
+  std::optional<std::string> next_line(std::chrono::milliseconds patience = std::chrono::minutes(4));
   void send(int signal) const;
   // A line of the standard input. After its end: nothing.
   void order(const std::string& line) const;

@@ -25,7 +25,7 @@ ProgramCall printing_on(const Display& display, std::vector<std::string> more) {
 TEST(PrintValuesProgram, PrintsWhatTheStageSays) {
   const Display display(1280, 800);
   RunningProgram program(ghostforce_program(), printing_on(display, {}));
-  const auto next_line = [&] { return program.next_line(std::chrono::seconds(60)).value_or(""); };
+  const auto next_line = [&] { return program.next_line().value_or(""); };
   std::string line = next_line();
   EXPECT_TRUE(line.starts_with("# sentence\tstrategy\t")) << line;
   const std::string wanted = "A ghost force drags the handle along the wall.\tnaive\t3.39\t2.12\t1.27\t12.0\t";

@@ -32,8 +32,6 @@ namespace ghostforce {
 
 class DyingHaplyTest : public testing::Test {
  protected:
-  static constexpr std::chrono::milliseconds patience{600'000};  // of a machine that is busy with other things
-
   // A program at the board, which is in its hand's zero pose.
   void launch(const std::string& name, const std::string& detail = "") {
     board.hold_zero_pose(true);
@@ -64,7 +62,7 @@ class DyingHaplyTest : public testing::Test {
   void start(const std::string& name, const std::string& detail = "") {
     ASSERT_NO_FATAL_FAILURE(launch(name, detail));
     for (;;) {
-      const auto line = program->next_line(patience);
+      const auto line = program->next_line();
       if (!line) skip_if_too_busy();
       ASSERT_TRUE(line) << "the program has ended, or has not got so far";
       obey(*line);

@@ -225,7 +225,7 @@ TEST_F(DyingHaply, BecomesAnotherProgram) {
 TEST_F(DyingHaply, IsKilledAndLeavesAChildWithItsFiles) {
   title = "SIGKILL, a child has its files";
   ASSERT_NO_FATAL_FAILURE(start("child left"));
-  const auto line = program->next_line(patience);
+  const auto line = program->next_line();
   ASSERT_TRUE(line && line->starts_with("child "));
   const pid_t child = std::stoi(line->substr(6));
   ASSERT_NO_FATAL_FAILURE(send(SIGKILL));

@@ -99,7 +99,7 @@ class TwoAtOnePort : public DyingHaplyTest {
   // The second is told so, and asks again.
   void expect_busy(RunningProgram& second) {
     constexpr int looks = 3;
-    for (int i = 0; i < looks; ++i) EXPECT_EQ(second.next_line(patience), "busy");
+    for (int i = 0; i < looks; ++i) EXPECT_EQ(second.next_line(), "busy");
   }
 };
 
