@@ -1,7 +1,8 @@
 // Takes the Haply at the port that its first argument names, arms it, and once its motors push ends in the way that its
-// second argument names. On the way it says a line at a time what it wants of the hand ("outside", "inside"), that its
-// motors push ("pushing"), and, of what it does itself, when ("ends", in ns of CLOCK_MONOTONIC). The hand must hold the
-// zero pose when this program begins. Some ways take a third argument: a signal's number.
+// second argument names. On the way it says a line at a time what it wants of the hand ("outside", "inside", and "zero
+// pose", which is to be answered by a line once the arms are there), that its motors push ("pushing"), and, of what it
+// does itself, when ("ends", in ns of CLOCK_MONOTONIC). The hand must hold the zero pose when this program begins. Some
+// ways take a third argument: a signal's number.
 #include <pthread.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -186,8 +187,20 @@ class Person {
     thread_.start(*servo_);
   }
 
+  // Arms that stand still on a machine that is busy with other things may not be there yet.
+  void ask_for_zero_pose() {
+    say("zero pose");
+    pollfd answer{STDIN_FILENO, POLLIN, 0};
+    while (poll(&answer, 1, 0) == 0) live();
+    for (char letter = 0; letter != '\n' && read(STDIN_FILENO, &letter, 1) == 1;) continue;
+    set_zero_pose();
+  }
   void set_zero_pose() {
-    while (report().state != HaplyState::zero_pose && report().state != HaplyState::idle) live();
+    const auto may_confirm = [this] {
+      return report().state == HaplyState::zero_pose || report().state == HaplyState::idle ||
+             report().fault == HaplyFault::kinematics;
+    };
+    while (!may_confirm()) live();
     while (report().zero_pose != ZeroPose::confirmed) {
       // What is not still yet is asked for again after a while.
       if (report().zero_pose != ZeroPose::setting) input_->confirm_zero_pose();
@@ -200,10 +213,7 @@ class Person {
   void arm_and_lean_in() {
     constexpr int most_attempts = 100;  // of two seconds or more each
     for (int attempt = 0; attempt < most_attempts; ++attempt) {
-      if (!report().is_readable()) {
-        say("zero pose");
-        set_zero_pose();
-      }
+      if (!report().is_readable()) ask_for_zero_pose();
       say("outside");
       for (int rounds = 0; rounds < 500; ++rounds) live();
       ask_for_motors();

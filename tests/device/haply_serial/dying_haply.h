@@ -50,7 +50,11 @@ class DyingHaplyTest : public testing::Test {
     static constexpr Vector<2> free_place{-0.015, 0.015};
     static constexpr Vector<2> deep_place{0.011, -0.011};
     const HaplyPlane plane(usual_haply_variant().calibration, Vector<2>(0.0));
-    if (line == "zero pose") board.hold_zero_pose(true);
+    if (line == "zero pose") {
+      board.hold_zero_pose(true);
+      becomes([&] { return board.heard().is_in_zero_pose; });
+      program->order("it is held");
+    }
     if (line == "outside") {
       board.hold_zero_pose(false);
       board.lead_hand(haply_hand_at(plane.in_workspace(free_place), 0.4));
