@@ -248,8 +248,7 @@ void StageFace::follow_session(const Session& session, const StageFrame& frame) 
 
 // Before it has been known once, it is unknown; and of one answer that is late nothing is to be seen.
 void StageFace::follow_handle(const MotorReport& motors, double interval_s) noexcept {
-  if (!motors.has_motors) unknown_s_ = patience_s;
-  if (motors.has_motors) unknown_s_ = motors.is_handle_known ? 0.0 : unknown_s_ + interval_s;
+  unknown_s_ = !motors.has_motors ? patience_s : motors.is_handle_known ? 0.0 : unknown_s_ + interval_s;
 }
 
 bool StageFace::handle_is_unknown(const StageFrame& frame) const noexcept {
@@ -422,8 +421,7 @@ const StagePicture& StageFace::compose(const Session& session, const StageFrame&
   content.is_dragging = pointer_.is_holding();
   content.held_end = pointer_.held_end();
   content.shows_menu = session.stage.shows_menu;
-  const bool has_handle = !content.handle_is_unknown;
-  content.may_turn_motor = session.has_handles && has_handle && !permit(session, TurnMotorTo{});
+  content.may_turn_motor = session.has_handles && !content.handle_is_unknown && !permit(session, TurnMotorTo{});
   content.may_turn_wall = session.has_handles && !permit(session, TurnWallTo{});
   content.may_move_parts = session.has_handles && (is_general(session.settings) || content.linkage) &&
                            session.stage.mode != StageMode::why && !content.hides.handle;

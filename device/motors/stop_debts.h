@@ -1,5 +1,6 @@
 // StopDebts: the devices that were told to stop and have not answered a zero since, by their serial numbers, in the order
-// in which they are tried: one that could not be stopped comes last. That USB has taken a stop proves nothing: a chip that has lost its baud rate passes it on as noise.
+// in which they are tried: one that could not be stopped comes last. That USB has taken a stop proves nothing: a chip
+// that has lost its baud rate passes it on as noise.
 // A plain value, any thread; never allocates or throws.
 #pragma once
 

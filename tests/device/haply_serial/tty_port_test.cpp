@@ -174,12 +174,20 @@ TEST(TtyPort, GoesOnWithTheBoardThatWasInUse) {
 
 // --- Debts ---
 
+struct TwoPluggedIn {
+  PseudoTerminal one;
+  PseudoTerminal two;
+  MockSystem system;
+
+  TwoPluggedIn() {
+    system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
+    system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  }
+};
+
 TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
-  const PseudoTerminal one;
-  const PseudoTerminal two;
-  const MockSystem system;
-  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
-  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  const TwoPluggedIn boards;
+  const auto& [one, two, system] = boards;
   StopDebts owed;
   owed.add(device_serial_of("GONE"));
   TtyPort any({.is_guarded = false, .places = system.places()});
@@ -199,11 +207,8 @@ TEST(TtyPort, ABoardThatIsOwedAStopComesFirst) {
 }
 
 TEST(TtyPort, ABoardThatIsOwedAStopAndCannotBeHadKeepsNoOtherFromIt) {
-  const PseudoTerminal one;
-  const PseudoTerminal two;
-  const MockSystem system;
-  system.add("ttyACM0", {"2341", "804d", "ONE"}, one.path());
-  system.add("ttyACM1", {"2341", "003e", "TWO"}, two.path());
+  const TwoPluggedIn boards;
+  const auto& [one, two, system] = boards;
   StopDebts owed;
   owed.add(device_serial_of("ONE"));
   TtyPort other({.path = one.path(), .is_guarded = false});
