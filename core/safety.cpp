@@ -37,10 +37,11 @@ constexpr std::array reasons{
                    "The window did not respond for half a second, so Esc would not have worked.", false, true},
     OffReasonEntry{OffReason::unplugged, "unplugged", "unplugged",
                    "Plug the device in again. The program keeps looking for it.", true, false},
-    OffReasonEntry{OffReason::not_homed, "not_homed", "not homed",
-                   "The device has lost track of its arms, for example after a power failure. Home it again, or hold its zero "
-                   "pose.",
-                   true, false},
+    OffReasonEntry{
+        OffReason::not_homed, "not_homed", "not homed",
+        "The device has lost track of its arms, for example after a power failure. Home it again, or hold its zero "
+        "pose.",
+        true, false},
     OffReasonEntry{OffReason::program_ending, "program_ending", "program ending", "The program was closing.", true,
                    false},
     OffReasonEntry{OffReason::overruled, "overruled", "turned off by the guard",

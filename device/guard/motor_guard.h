@@ -47,7 +47,8 @@ class MotorGuard {
 
   // There is a guard, and it has looked lately.
   bool is_watching(std::int64_t now_ns) const noexcept {
-    return state() == GuardState::watching && !has_gone_ && now_ns - page_->guard_beat_ns.load(std::memory_order_acquire) <= stale_ns;
+    return state() == GuardState::watching && !has_gone_ &&
+           now_ns - page_->guard_beat_ns.load(std::memory_order_acquire) <= stale_ns;
   }
   GuardState state() const noexcept {
     return page_ == nullptr ? GuardState::none : page_->state.load(std::memory_order_acquire);
