@@ -48,6 +48,7 @@ Session session_with(const Scene& scene, const ApplicationOptions& options) {
     begin_kiosk_visit(session, options.kiosk_visit);
   } else if (options.lesson) {
     begin_lesson(session, options.lesson);
+    if (options.lesson_step > 0) show_lesson_step(session, options.lesson_step);
   }
   if (session.lesson) {
     session.stage_shown = stage_view_of(session);

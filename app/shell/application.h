@@ -37,6 +37,7 @@ struct ApplicationOptions {
   Face face = Face::workbench;
   StageMode mode = StageMode::none;                          // of the stage
   std::shared_ptr<const Lesson> lesson{};                    // that begins at once; null: none
+  std::size_t lesson_step = 0;                               // of it, to begin with
   std::string language{"en"};                                // of the stage and of lessons
   std::vector<std::shared_ptr<const Lesson>> kiosk_visit{};  // of the visitor's mode; empty: an ordinary run
   LessonProgress lesson_progress{};

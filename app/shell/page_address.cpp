@@ -38,9 +38,17 @@ std::string read_wanted_language(std::string value) {
   return std::string(code);
 }
 
+std::size_t read_step(const std::string& value) {
+  const auto step = number_in<std::size_t>(value);
+  if (!step || *step == 0) refuse_part(fmt::format("'{}' is not the number of a step; give 1 or more", value));
+  return *step;
+}
+
 const std::vector<Wish>& wishes() {
   static const std::vector<Wish> all{
       {"lesson", "the name of a lesson", [](std::string value, PageAddress& into) { into.lesson = std::move(value); }},
+      {"step", "the number of a step of the lesson",
+       [](const std::string& value, PageAddress& into) { into.lesson_step = read_step(value); }},
       {"language", "en or es",
        [](std::string value, PageAddress& into) { into.language = read_wanted_language(std::move(value)); }},
       {"kiosk", "", [](const std::string&, PageAddress& into) { into.is_kiosk = true; }},
@@ -92,6 +100,13 @@ PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin)
       address.problems.push_back(
           fmt::format("'{}' in the address of this page cannot be used: {}", quoted_text(written), error.what()));
     }
+  }
+  const bool takes_step = !address.lesson.empty() && !address.is_kiosk;
+  if (read.contains("step") && !takes_step) {
+    address.lesson_step = 1;
+    address.problems.push_back(fmt::format("'step' in the address of this page is not used: {}",
+                                           address.is_kiosk ? "a kiosk begins each lesson at its first step."
+                                                            : "no lesson is named; add lesson= and the name of one."));
   }
   if (!address.embedder.empty() && !is_origin(address.embedder)) {
     address.problems.push_back(

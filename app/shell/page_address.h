@@ -1,6 +1,7 @@
 // PageAddress: what the address of the page asks for (docs/web.md), and what in it cannot be used. Pure; any thread.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,7 @@ namespace ghostforce {
 
 struct PageAddress {
   std::string lesson{};            // by name; empty: none
+  std::size_t lesson_step = 1;     // to begin it with, from 1
   std::string language{};          // its code; empty: as the person prefers
   std::string embedder{};          // origin of the page around this one, for their messages; empty: there are none
   bool is_kiosk = false;           // for visitors

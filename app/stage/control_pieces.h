@@ -1,4 +1,5 @@
-// The pieces of which stage_controls.h makes its tree. Values; pure; UI thread.
+// The pieces of which stage_controls.h makes its tree. Values; UI thread. Pure, but for the names of files, which a
+// saving button looks for when it is pressed.
 #pragma once
 
 #include <string>
@@ -46,7 +47,12 @@ void add_guess_controls(const ControlSource& source, ControlParts& parts);
 
 // Title, place, answers, slider, task and the ways on. Only in a lesson.
 StageControl lesson_control(const ControlSource& source);
-// Those that come with the program.
+// Lists of all that there is, folded: the lessons that come with the program, keys, actions.
 StageControl lesson_list(const ControlSource& source);
+StageControl key_list(const ControlSource& source);
+StageControl action_list(const ControlSource& source);
+
+// What the dialog that is open shows and can do, and its way out. Nothing where none is open.
+void add_dialog(const ControlSource& source, ControlParts& parts);
 
 }  // namespace ghostforce

@@ -155,7 +155,7 @@ class LessonArrangement {
       made.answers.push_back({items[i].box, std::move(items[i].lines)});
     }
     layout_.corner.reset();
-    layout_.link.reset();
+    layout_.key_hints.clear();
     if (!words_.corner.empty())
       layout_.corner = StageButton{words_.corner_action, ends.front().box, std::string(words_.corner)};
     made.back.reset();

@@ -214,7 +214,8 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   if (is_map)
     picture.landscape = landscape_layout(stage_landscape(content, camera, {layout.header_box(), layout.bottom}));
   if (!has_buttons) return picture;
-  for (const auto* const buttons : {&layout.strategies, &layout.header, &layout.tools, &layout.motors}) {
+  for (const auto* const buttons :
+       {&layout.strategies, &layout.header, &layout.tools, &layout.motors, &layout.key_hints}) {
     picture.buttons.insert(picture.buttons.end(), buttons->begin(), buttons->end());
   }
   picture.tools = layout.tools_box();
@@ -222,7 +223,7 @@ StagePicture compose_stage(const StageContent& content, LabelMemory& memory, dou
   for (const StageMenuRow& row : layout.menu) {
     picture.buttons.push_back({row.action, row.box, std::string(row.title)});
   }
-  for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
     if (*button) picture.buttons.push_back(**button);
   }
   if (!layout.menu.empty()) picture.menu = layout.menu_box;

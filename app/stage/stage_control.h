@@ -13,6 +13,7 @@ namespace ghostforce {
 
 enum class StageControlKind : std::uint8_t {
   group,    // with a heading and parts
+  dialog,   // a group that has been opened, and can be closed
   choices,  // a group of which one is chosen
   folded,   // a group that opens when it is asked for
   rows,     // a group of a list, with a heading
@@ -21,6 +22,7 @@ enum class StageControlKind : std::uint8_t {
   status,  // a text that is told when it appears
   alert,   // the same, at once
   button,
+  file,    // a button that asks the person's system for a file to open
   toggle,  // a button that stays pressed
   choice,
   range,
@@ -41,7 +43,7 @@ struct StageControl {
   double greatest = 1.0;
   double step = 1.0;  // of an arrow key
   std::vector<StageControl> parts{};
-  Act act{};  // what it leads to; empty: it is only read
+  Act act{};  // what it leads to, in the session as it is by then; empty: it is only read
 };
 
 }  // namespace ghostforce

@@ -14,8 +14,6 @@
 #include "app/picture/text.h"
 #include "app/stage/control_pieces.h"
 #include "app/state/faces_and_modes.h"
-#include "app/state/key_bindings.h"
-#include "app/state/palette_catalog.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
@@ -48,27 +46,6 @@ void add_notice(const ControlSource& source, ControlParts& parts) {
   parts.push_back(button_control(source, "notice-close", close, CloseNotice{}));
 }
 
-// As the action is called that opens it.
-std::string name_of_dialog(const ControlSource& source) {
-  const Dialog dialog = source.session.dialog;
-  const auto opens_it = [dialog](const PaletteEntry& entry) {
-    const auto* const opens = std::get_if<OpenDialog>(&entry.action);
-    const auto* const toggles = std::get_if<ToggleDialog>(&entry.action);
-    return (opens != nullptr && opens->dialog == dialog) || (toggles != nullptr && toggles->dialog == dialog);
-  };
-  const std::vector<PaletteEntry> entries = palette_catalog(source.session, source.loop);
-  const auto entry = std::ranges::find_if(entries, opens_it);
-  return entry != entries.end() ? entry->words : std::string(source.language.palette.title);
-}
-
-// What is drawn in the picture alone, and the way out of it.
-void add_dialog(const ControlSource& source, ControlParts& parts) {
-  if (source.session.dialog == Dialog::none) return;
-  parts.push_back(
-      text_control("dialog", Kind::status, filled(source.language.controls.dialog, name_of_dialog(source))));
-  parts.push_back(button_control(source, "dialog-close", std::string(source.language.picker.close), CloseDialog{}));
-}
-
 // "ghost force: 1.27 N", or why there is no number.
 std::string value_words(const ControlSource& source, bool is_hidden, const std::optional<double>& number,
                         std::string_view words, std::string_view words_if_unknown, std::string (*write)(double),
@@ -77,6 +54,21 @@ std::string value_words(const ControlSource& source, bool is_hidden, const std::
   if (is_hidden) return filled(all.hidden, words);
   if (!number) return std::string(words_if_unknown);
   return fmt::format("{}: {} {}", words, write(*number), unit);
+}
+
+// Where a key turns them, nothing else tells how far.
+void add_angles(const ControlSource& source, ControlParts& parts) {
+  const StageLanguage::Controls& all = source.language.controls;
+  const Settings& settings = source.session.settings;
+  if (settings.general.mechanism == MechanismKind::axes) {
+    parts.push_back(
+        text_control("value-motor", Kind::told,
+                     filled(all.motor_value, motor_direction_words(settings.actuated_angle, source.language))));
+  }
+  if (settings.general.constraint == ConstraintKind::plane) {
+    const double wall_deg = degrees_per_radian * std::remainder(settings.wall_normal_angle, 2.0 * std::numbers::pi);
+    parts.push_back(text_control("value-wall", Kind::told, filled(all.wall_value, decimal_text(wall_deg, 0))));
+  }
 }
 
 StageControl values_group(const ControlSource& source) {
@@ -99,6 +91,7 @@ StageControl values_group(const ControlSource& source) {
                                slide_number, "mm")),
       text_control("value-share", Kind::told,
                    value_words(source, hides_force, reading.numbers.wall_share, share, share, force_number, "N"))};
+  add_angles(source, parts);
   return group_control("values", Kind::group, all.values, std::move(parts));
 }
 
@@ -254,63 +247,13 @@ void add_motors(const ControlSource& source, ControlParts& parts) {
 
 // --- Lists of all that there is ---
 
-// Under the headings of their groups.
-class GroupedRows {
- public:
-  GroupedRows(const ControlSource& source, std::string id, std::string_view words)
-      : source_(source), id_(std::move(id)), words_(words) {}
-
-  void add(ActionGroup group, StageControl row) {
-    row.id = fmt::format("{}-{}", id_, ++count_);
-    groups_.at(static_cast<std::size_t>(group)).push_back(std::move(row));
-  }
-
-  StageControl list() && {
-    const auto headings = words_of(source_.language.action_groups);
-    ControlParts parts;
-    for (std::size_t i = 0; i < groups_.size(); ++i) {
-      if (groups_[i].empty()) continue;
-      parts.push_back(
-          group_control(fmt::format("{}-group-{}", id_, i + 1), Kind::rows, headings.at(i), std::move(groups_[i])));
-    }
-    return group_control(id_ + "s", Kind::folded, words_, std::move(parts));
-  }
-
- private:
-  const ControlSource& source_;
-  std::string id_;
-  std::string_view words_;
-  std::size_t count_ = 0;
-  std::array<ControlParts, action_group_count> groups_;
+// Where the dialog is open that shows one, it stands there.
+struct FoldedList {
+  Dialog dialog;
+  StageControl (*list)(const ControlSource& source);
 };
-
-StageControl key_list(const ControlSource& source) {
-  GroupedRows rows(source, "key", source.language.menu_rows.keys.title);
-  ActionGroup group{};
-  for (const KeyBinding& binding : key_table()) {
-    if (!binding.group.empty()) group = action_group_of(binding.group);
-    if (binding.shown.empty()) continue;
-    rows.add(group,
-             text_control(
-                 {}, Kind::text,
-                 fmt::format("{}: {}", counterpart(english_stage.key_names, source.language.key_names, binding.shown),
-                             sentence_in(source.language, binding))));
-  }
-  return std::move(rows).list();
-}
-
-StageControl action_list(const ControlSource& source) {
-  GroupedRows rows(source, "action", source.language.palette.title);
-  for (PaletteEntry& entry : palette_catalog(source.session, source.loop)) {
-    const Action action = entry.action;
-    rows.add(entry.group, {.id = {},
-                           .kind = Kind::button,
-                           .words = std::move(entry.words),
-                           .refusal = std::move(entry.refusal),
-                           .act = [action](double) { return std::vector{action}; }});
-  }
-  return std::move(rows).list();
-}
+constexpr std::array folded_lists{FoldedList{Dialog::lessons, lesson_list}, FoldedList{Dialog::help, key_list},
+                                  FoldedList{Dialog::palette, action_list}};
 
 }  // namespace
 
@@ -321,7 +264,7 @@ std::vector<StageControl> stage_controls(const Session& session, const LoopReadi
   all.push_back(text_control("sentence", Kind::told,
                              is_on_stage ? reading.sentence : std::string(source.language.controls.on_workbench)));
   add_notice(source, all);
-  add_dialog(source, all);
+  if (!session.kiosk_visit) add_dialog(source, all);
   add_motors(source, all);
   if (session.lesson && reading.lesson) all.push_back(lesson_control(source));
   add_mode(source, all);
@@ -332,9 +275,9 @@ std::vector<StageControl> stage_controls(const Session& session, const LoopReadi
   if (StageControl settings = settings_group(source); !settings.parts.empty()) all.push_back(std::move(settings));
   if (!session.lesson && !session.kiosk_visit) all.push_back(modes_group(source));
   if (session.kiosk_visit) return all;
-  all.push_back(lesson_list(source));
-  all.push_back(key_list(source));
-  all.push_back(action_list(source));
+  for (const auto& [dialog, list] : folded_lists) {
+    if (dialog != session.dialog) all.push_back(list(source));
+  }
   return all;
 }
 

@@ -394,9 +394,9 @@ void add_buttons(const StageLayer& layer) {
     add_button(layer, *layout.corner,
                [](const StageLayer& at, const StageButton& button) { add_corner_button(at, button, false); });
   }
-  if (const auto& link = layout.link) {
-    canvas.text(Role::button, link->box.least, link->words, layout.letters.words,
-                is_hovered(content, link->action) ? content.theme.accent : content.theme.faint_text);
+  for (const StageButton& hint : layout.key_hints) {
+    canvas.text(Role::button, hint.box.least, hint.words, layout.letters.words,
+                is_hovered(content, hint.action) ? content.theme.accent : content.theme.faint_text);
   }
   add_cure_hint(layer);
 }
@@ -418,7 +418,8 @@ void keep_frame_clear(const StageLayer& layer) {
   for (const StageButton& button : layout.header) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.tools) labels.keep_clear(button.box.grown(rim));
   for (const StageButton& button : layout.motors) labels.keep_clear(button.box.grown(rim));
-  for (const auto* const button : {&layout.measuring, &layout.corner, &layout.link}) {
+  for (const StageButton& hint : layout.key_hints) labels.keep_clear(hint.box.grown(rim));
+  for (const auto* const button : {&layout.measuring, &layout.corner}) {
     if (*button) labels.keep_clear((*button)->box.grown(rim));
   }
   if (layout.lesson) keep_lesson_clear(layer);

@@ -311,23 +311,23 @@ class Arrangement {
       x += width + points(gap);
     }
     const double right = layout_.size.x - layout_.margin;
-    layout_.corner.reset();
-    layout_.link.reset();
-    if (!words_.corner.empty()) {
-      const std::string words = corner_words();
-      layout_.corner = button_ending_at({right, bottom}, words, words, words_.corner_action);
-      arrange_measuring();
-      return x <= layout_.corner->box.least.x;
-    }
-    if (!words_.keys.link.empty()) {
-      const std::string link = filled(words_.language.buttons.link, words_.keys.link);
-      const double line = layout_.letters.words.height;
-      const Vector<2> corner(right - measure_(link, layout_.letters.words).x,
-                             bottom - 0.5 * (points(button_height) + line));
-      if (x <= corner.x) layout_.link = {StageCommand::link, {corner, {right, corner.y + line}}, link};
-      if (shown == CardWords::name_and_about && !layout_.link) return false;
-    }
+    arrange_corner({right, bottom});
+    if (layout_.corner) return x <= layout_.corner->box.least.x;
+    const std::vector<StageButton> hints = key_hints(words_.language, words_.keys);
+    arrange_key_hints(hints, {right, bottom - 0.5 * points(button_height)}, x);
+    if (shown == CardWords::name_and_about && layout_.key_hints.empty() && !hints.empty()) return false;
     return x - points(gap) <= right;
+  }
+
+  // From the right to the left.
+  void arrange_key_hints(const std::vector<StageButton>& hints, Vector<2> end, double left) {
+    for (const StageButton& hint : hints) {
+      const Vector<2> size(measure_(hint.words, layout_.letters.words).x, layout_.letters.words.height);
+      const Vector<2> corner = end - Vector<2>(size.x, 0.5 * size.y);
+      if (corner.x < left) return;
+      layout_.key_hints.push_back({hint.action, {corner, corner + size}, hint.words});
+      end.x = corner.x - points(2.0 * gap);
+    }
   }
 
   // One below the other, as wide as the window; what stands at a row's other end is above them.
@@ -346,14 +346,17 @@ class Arrangement {
       bottom -= height + points(0.5 * gap);
     }
     std::ranges::reverse(layout_.strategies);
-    layout_.corner.reset();
-    layout_.link.reset();
-    if (!words_.corner.empty()) {
-      const std::string words = corner_words();
-      layout_.corner = button_ending_at({right, bottom}, words, words, words_.corner_action);
-      arrange_measuring();
-    }
+    arrange_corner({right, bottom});
     return all_fit;
+  }
+
+  void arrange_corner(const Vector<2>& end) {
+    layout_.corner.reset();
+    layout_.key_hints.clear();
+    if (words_.corner.empty()) return;
+    const std::string words = corner_words();
+    layout_.corner = button_ending_at(end, words, words, words_.corner_action);
+    arrange_measuring();
   }
 
   StageButton button_ending_at(const Vector<2>& end, std::string_view words, std::string_view longest,

@@ -34,6 +34,9 @@ Camera stage_camera(const SceneView& shown, const StageLayout& layout);
 // How to say what a button does when it is pressed, and its key.
 std::string hover_words(const StageAction& action, const StageLanguage& language, const StageKeys& keys);
 
+// What some keys of a page do, as short words, without their places; those that matter most first. On the desktop none.
+std::vector<StageButton> key_hints(const StageLanguage& language, const StageKeys& keys);
+
 // The menu's rows, without their places.
 std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys);
 

@@ -105,7 +105,7 @@ struct StageLayout {
   ScreenBox menu_box;                    // round them
   std::optional<StageButton> corner;     // at the row's other end
   std::optional<StageButton> measuring;  // above it, or in a lesson's row
-  std::optional<StageButton> link;       // in place of the corner's, as words, where there is room
+  std::vector<StageButton> key_hints;    // of a page, in place of the corner's: as many as have room
   std::optional<ScreenBox> ribbon;       // above the row, where there is one
   std::optional<LessonLayout> lesson;
   double header_left = 0.0;          // where what stands above at the right begins

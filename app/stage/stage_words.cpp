@@ -286,6 +286,14 @@ std::string hover_words(const StageAction& action, const StageLanguage& language
   return {};
 }
 
+std::vector<StageButton> key_hints(const StageLanguage& language, const StageKeys& keys) {
+  if (keys.link.empty()) return {};
+  const StageLanguage::Buttons& all = language.buttons;
+  return {{StageCommand::link, {}, filled(all.link, keys.link)},
+          {StageCommand::lessons, {}, filled(all.lessons, keys.lessons)},
+          {StageCommand::keys, {}, filled(all.keys, keys.help)}};
+}
+
 std::vector<StageMenuRow> stage_menu(const StageLanguage& language, const StageKeys& keys) {
   std::vector<StageMenuRow> rows;
   for (const StageModeEntry& mode : stage_mode_catalog()) {

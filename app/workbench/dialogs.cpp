@@ -31,7 +31,7 @@ constexpr std::array dialogs{
     Entry{Dialog::save_picture, "Save a picture", draw_save_picture},
     Entry{Dialog::save_clip, "Save a clip", draw_save_clip},
     Entry{Dialog::save_plots, "Save the plots", draw_save_plots},
-    Entry{Dialog::reset_preferences, "Reset all preferences?", draw_reset_preferences},
+    Entry{Dialog::reset_preferences, "###reset", draw_reset_preferences},
     Entry{Dialog::palette, "###palette", draw_palette},
 };
 
@@ -58,6 +58,7 @@ ImVec2 button_padding(const ImVec2& size) {
 std::string title_in(const StageLanguage& language, Dialog dialog) {
   if (dialog == Dialog::lessons) return fmt::format("{}: {}", language.picker.title, language.picker.about);
   if (dialog == Dialog::help) return std::string(language.help.title);
+  if (dialog == Dialog::reset_preferences) return std::string(language.reset.title);
   return std::string(dialog == Dialog::palette ? language.palette.title : "");
 }
 

@@ -2,6 +2,7 @@
 // what to do.
 #include <string>
 
+#include "app/state/device_status.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/dialogs.h"
 #include "app/workbench/motor_control.h"
@@ -46,17 +47,8 @@ void draw_doctor(const PanelContext& context) {
   const float width = dialog_field_width(560.0F, context);
   const float end = ImGui::GetCursorPosX() + width;
   ImGui::PushTextWrapPos(end);
-  if (context.loop.readiness.empty() && context.loop.motors.has_motors) {
-    ImGui::TextUnformatted((context.loop.device +
-                            " gets ready by itself within some seconds. Then keep its handle outside "
-                            "the wall to arm the motors. The desktop program shows each step.")
-                               .c_str());
-  } else if (context.loop.readiness.empty() && !context.loop.why_no_falcon.empty()) {
-    ImGui::TextUnformatted(("This input has no motors. " + std::string(context.loop.why_no_falcon)).c_str());
-  } else if (context.loop.readiness.empty()) {
-    ImGui::TextUnformatted(
-        "This input has no motors. In the panel “Input”, choose Falcon, or Virtual Falcon to rehearse without one. "
-        "'ghostforce doctor' examines a device from the command line.");
+  if (context.loop.readiness.empty()) {
+    ImGui::TextUnformatted(why_no_readiness(context.loop).c_str());
   } else {
     text_in(context.fonts.bold, context.loop.device);
     ImGui::Spacing();

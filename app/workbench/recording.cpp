@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "app/files/file_exchange.h"
+#include "app/state/proposed_path.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/panel_catalog.h"
 #include "app/workbench/plot_pieces.h"
-#include "app/workbench/save_path.h"
 
 namespace ghostforce {
 namespace {

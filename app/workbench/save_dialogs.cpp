@@ -9,6 +9,7 @@
 #include "app/files/file_exchange.h"
 #include "app/files/video_encoder.h"
 #include "app/state/front_keys.h"
+#include "app/state/proposed_path.h"
 #include "app/state/session.h"
 #include "app/widgets/controls.h"
 #include "app/workbench/dialogs.h"
@@ -45,13 +46,8 @@ bool draw_save_path_with(std::span<const char* const> formats, const PanelContex
 }  // namespace
 
 void draw_save_picture(const PanelContext& context) {
-  const Session& session = context.session;
   Form& form = context.memory.form;
-  if (form.belongs_to != Dialog::save_picture) {
-    const std::string stem =
-        fmt::format("{}-{}", file_stem(session.scene->title), strategy(session.settings.active).name);
-    form.path = proposed_path(stem, picture_formats.front());
-  }
+  if (form.belongs_to != Dialog::save_picture) form.path = proposed_path(context.session, Dialog::save_picture);
   const std::span<const char* const> formats = offered(picture_formats);
   const char* const format = format_of(form.path, formats);
   const bool is_png = format == nullptr || format == picture_formats.front();
@@ -94,10 +90,9 @@ void draw_save_picture(const PanelContext& context) {
 void draw_save_clip(const PanelContext& context) {
   const std::span<const char* const> clip_formats(all_clip_formats.data(),
                                                   can_make_videos() ? all_clip_formats.size() : 1);
-  const Session& session = context.session;
   Form& form = context.memory.form;
   if (form.belongs_to != Dialog::save_clip) {
-    form.path = proposed_path(fmt::format("{}-clip", file_stem(session.scene->title)), clip_formats.front());
+    form.path = proposed_path(context.session, Dialog::save_clip);
     form.clip_end_s = context.snapshot.time_s;
   }
   if (begin_rows("clip", context)) {
@@ -124,10 +119,7 @@ void draw_save_clip(const PanelContext& context) {
 void draw_save_plots(const PanelContext& context) {
   const Session& session = context.session;
   Form& form = context.memory.form;
-  if (form.belongs_to != Dialog::save_plots) {
-    form.path = proposed_path(fmt::format("{}-{}", file_stem(session.scene->title), plot_tab_name(session.plots.tab)),
-                              plot_formats.front());
-  }
+  if (form.belongs_to != Dialog::save_plots) form.path = proposed_path(session, Dialog::save_plots);
   const std::span<const char* const> formats = offered(plot_formats);
   if (begin_rows("plots", context)) {
     if (formats.size() > 1) {
@@ -148,11 +140,8 @@ void draw_save_plots(const PanelContext& context) {
 }
 
 void draw_save_scene(const PanelContext& context) {
-  const Session& session = context.session;
   Form& form = context.memory.form;
-  if (form.belongs_to != Dialog::save_scene) {
-    form.path = proposed_path(file_stem(session.scene->title), "ghostforce.toml");
-  }
+  if (form.belongs_to != Dialog::save_scene) form.path = proposed_path(context.session, Dialog::save_scene);
   ImGui::TextUnformatted("The scene with its current settings, and a path that ends at the goal:");
   if (!draw_save_path(context)) return;
   context.apply(SaveScene{form.path});

@@ -57,31 +57,6 @@ void draw_format_choice(std::string& path, std::span<const char* const> formats)
   }
 }
 
-std::string file_stem(std::string_view title) {
-  std::string stem;
-  for (const char c : title) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80 && std::isalnum(byte) != 0) {
-      stem += static_cast<char>(std::tolower(byte));
-    } else if (!stem.empty() && stem.back() != '-') {
-      stem += '-';
-    }
-  }
-  while (!stem.empty() && stem.back() == '-') stem.pop_back();
-  constexpr std::size_t longest = 60;
-  return stem.empty() ? "scene" : stem.substr(0, longest);
-}
-
-std::string proposed_path(std::string_view stem, std::string_view extension) {
-  std::error_code error;
-  const fs::path folder = save_place().has_folders ? fs::current_path(error) : fs::path();
-  for (int number = 1;; ++number) {
-    const std::string name =
-        number == 1 ? fmt::format("{}.{}", stem, extension) : fmt::format("{}-{}.{}", stem, number, extension);
-    if (const fs::path path = folder / name; !fs::exists(path, error)) return path.string();
-  }
-}
-
 bool draw_save_path(const PanelContext& context) {
   Form& form = context.memory.form;
   if (form.belongs_to != context.session.dialog) ImGui::SetKeyboardFocusHere();

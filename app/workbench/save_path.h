@@ -1,4 +1,4 @@
-// The path of a file to be saved: what is proposed, and what would happen to the one typed.
+// The path of a file to be saved: the field, and what would happen to the path typed. app/state/proposed_path.h proposes.
 #pragma once
 
 #include <span>
@@ -8,13 +8,6 @@
 #include "app/widgets/panel_context.h"
 
 namespace ghostforce {
-
-// The first that is free of STEM.EXTENSION, STEM-2.EXTENSION … in the folder that the program was started in, absolute;
-// where there are no folders (file_exchange.h), the name.
-std::string proposed_path(std::string_view stem, std::string_view extension);
-
-// A name for a file from a scene's title: letters, digits and hyphens.
-std::string file_stem(std::string_view title);
 
 // A choice among endings of the path, which it changes.
 void draw_format_choice(std::string& path, std::span<const char* const> formats);

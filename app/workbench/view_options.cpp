@@ -124,20 +124,15 @@ void draw_language_choice(const PanelContext& context) {
 }
 
 void draw_reset_preferences(const PanelContext& context) {
+  const StageLanguage::Reset& said = stage_language(context.session.language).reset;
   const float width = std::min(32.0F * ImGui::GetFontSize(), 0.8F * ImGui::GetIO().DisplaySize.x);
-  wrapped_text(
-      "Everything that you have chosen about how ghostforce looks and starts goes back to what a new person sees: "
-      "theme, sizes, motion, view, plots, panels, speed, SpaceMouse, language, speech, hints, window. The scene and "
-      "its "
-      "settings stay as "
-      "they are.",
-      ImGui::GetCursorPosX() + width);
-  if (ImGui::Button("Reset all")) {
+  wrapped_text(said.about, ImGui::GetCursorPosX() + width);
+  if (ImGui::Button(said.yes.data())) {
     context.apply(ResetPreferences{});
     context.apply(CloseDialog{});
   }
   ImGui::SameLine();
-  if (ImGui::Button("Cancel")) context.apply(CloseDialog{});
+  if (ImGui::Button(said.no.data())) context.apply(CloseDialog{});
 }
 
 }  // namespace ghostforce

@@ -50,9 +50,26 @@ class Axe(ControlsTest):
     def test_finds_no_barrier_in_spanish_nor_in_the_dialog_of_the_link(self):
         browser = self.open(query="?language=es")
         self.expect_none("the stage in Spanish")
+        browser.press("M")
+        self.wait_for_control("dialog")
+        self.expect_none("the lessons in Spanish")
+        browser.press("Escape")
+        browser.wait_until(dialog="none")
         browser.press("U")
         wait_for(lambda: browser.script("return document.getElementById('link').open"), "the link")
         self.expect_none("the link")
+
+    def test_finds_no_barrier_in_dialogs(self):
+        browser = self.open()
+        dialogs = (("K", "help"), ("D", "device"), ("M", "lessons"), ("I", "save_picture"), ("Ctrl+O", "open"))
+        for key, dialog in dialogs + (("Ctrl+S", "save_scene"), ("Ctrl+P", "palette")):
+            with self.subTest(dialog):
+                browser.press(key)
+                browser.wait_until(dialog=dialog)
+                self.focus("dialog-close")
+                self.expect_none(dialog)
+                browser.press("Escape")
+                wait_for(lambda: self.focused() == "stage", "the way back to the canvas", browser.told_state)
 
     def test_finds_no_barrier_in_a_lesson(self):
         self.open(query="?lesson=ghost")
@@ -111,6 +128,17 @@ class NoTrap(ControlsTest):
         self.assertEqual(back.count("frame stage"), 1)
         # Each control that Tab comes to, it comes to from the other side, too.
         self.assertEqual(sorted(there[1:-1]), sorted(back[:-1]))
+
+    def test_leaves_a_dialog_too(self):
+        most = self.around()
+        browser = self.browser
+        self.places("Tab", most)
+        browser.press("Shift+Tab")
+        browser.script("document.querySelector('iframe').contentDocument.getElementById('stage').focus()")
+        browser.press("K")
+        there = "return document.querySelector('iframe').contentDocument.getElementById('control-dialog') !== null"
+        wait_for(lambda: browser.script(there), "the dialog in the frame")
+        self.assertIn("frame control-dialog-close", self.places("Tab", most))
 
     def test_escape_gives_the_keys_back(self):
         browser = self.open()

@@ -6,7 +6,8 @@ import unittest
 
 from PIL import Image
 
-from browser import HEIGHT, RECORD_BUTTON, ROOT, SAVE_PICTURE, WIDTH, PageTest
+from browser import HEIGHT, RECORD_BUTTON, ROOT, SAVE_PICTURE, WIDTH, PageTest, wait_for
+from controls_test import ControlsTest
 from display import display
 
 
@@ -22,18 +23,6 @@ class Scenes(PageTest):
         browser.choose_file(path)
         state = browser.wait(lambda state: "wall.normal_deg=111" in state["set_up"], "the wall of the scene")
         self.assertIn("fig1", state["set_up"])
-
-    def test_the_browsers_own_dialog_is_one_of_the_buttons(self):
-        browser = self.open()
-        browser.press("Ctrl+O")
-        browser.wait_until(dialog="open")
-
-        def reach_button():  # from the field, past "Open"
-            for key in ("Tab", "Tab", "Enter"):
-                browser.press(key)
-                browser.next_frame()
-
-        browser.expect_file_dialog(reach_button)
 
     def test_is_dropped(self):
         browser = self.open()
@@ -83,6 +72,91 @@ class Scenes(PageTest):
         path.write_bytes((ROOT / "assets/lessons/ghost.toml").read_bytes())
         browser.choose_file(path)
         browser.wait(lambda state: state["lesson"] and state["lesson"]["name"] == "mine", "the lesson of the file")
+
+
+class WithoutTheCanvas(ControlsTest):
+    """What dialogs do, by their controls beside the picture."""
+
+    is_main = True
+
+    def open_dialog(self, key, dialog):
+        """By its key on the canvas; then Tab leads to what is in it."""
+        browser = self.open()
+        browser.press(key)
+        browser.wait_until(dialog=dialog)
+        self.wait_for_control("dialog")
+        browser.press("Tab")
+        self.assertEqual(self.focused(), "control-dialog-close")
+
+    def test_the_browsers_own_dialog_is_one_of_the_buttons(self):
+        self.open_dialog("Ctrl+O", "open")
+        self.browser.expect_file_dialog(lambda: self.use("open-file"))
+
+    def test_a_scene_is_opened(self):
+        self.open_dialog("Ctrl+O", "open")
+        self.use("open-fig1")
+        self.browser.wait(lambda state: "fig1" in state["set_up"] and state["dialog"] == "none", "the scene")
+
+    def test_a_scene_is_saved(self):
+        self.open_dialog("Ctrl+S", "save_scene")
+        self.use("save-scene")
+        scene = tomllib.loads(self.browser.downloaded(".toml").read_text(encoding="utf-8"))
+        self.assertEqual(scene["device"]["actuated_deg"], 0.0)
+        self.browser.wait_until(dialog="none")
+
+    def test_a_picture_of_the_scene_alone_is_saved(self):
+        self.open_dialog(SAVE_PICTURE, "save_picture")
+        self.use("save-scene-alone")
+        self.assertTrue(self.browser.downloaded(".png").name.startswith("a-wall-at-45"), "it has the proposed name")
+        self.browser.wait_until(dialog="none")
+
+    def test_preferences_are_reset(self):
+        browser = self.open()
+        browser.press("C")
+        browser.wait(lambda state: state["theme"] != "light", "another theme")
+        browser.use_action("Reset all preferences")
+        browser.wait_until(dialog="reset_preferences")
+        self.use("reset-yes")
+        browser.wait_until(theme="light", dialog="none")
+
+    def test_escape_leads_back_to_what_has_opened_it(self):
+        self.open()
+        row = self.browser.script(
+            """
+            document.getElementById("control-actions").open = true;
+            const rows = [...document.querySelectorAll("#control-actions button")];
+            return rows.find((each) => each.textContent === "Save a picture").id.slice("control-".length);
+            """
+        )
+        self.use(row)
+        self.expect_dialog("save_picture")
+        self.browser.press("Escape")
+        self.browser.wait_until(dialog="none")
+        wait_for(lambda: self.focused() == "control-" + row, "the focus where it was", self.browser.told_state)
+
+    def expect_dialog(self, dialog):
+        self.browser.wait_until(dialog=dialog)
+        wait_for(lambda: self.focused() == "control-dialog-name", "the focus in the dialog", self.browser.told_state)
+
+    def test_one_leads_to_another(self):
+        self.open_dialog("Ctrl+P", "palette")
+        row = self.browser.script(
+            """
+            const rows = [...document.querySelectorAll("#control-dialog button")];
+            return rows.find((each) => each.textContent === "Save a picture").id.slice("control-".length);
+            """
+        )
+        self.use(row)
+        self.expect_dialog("save_picture")
+        self.browser.press("Escape")
+        wait_for(lambda: self.focused() == "stage", "the focus on the canvas", self.browser.told_state)
+
+    def test_a_lesson_is_begun(self):
+        self.open_dialog("M", "lessons")
+        self.assertIsNone(self.text("lessons"), "the list is not there twice")
+        self.use("begin-ghost")
+        self.browser.wait(lambda state: state["lesson"] and state["dialog"] == "none", "the lesson")
+        wait_for(lambda: self.focused() == "control-lesson-name", "the focus at the lesson", self.browser.told_state)
 
 
 class Pictures(PageTest):

@@ -77,6 +77,25 @@ class InFirefox(unittest.TestCase):
             told = browser.as_told(selector)
             self.assertIn(told[0], role, selector)
             self.assertTrue(told[1].startswith(beginning), told)
+        browser.press("M")
+        wait_for(lambda: browser.script("return document.getElementById('control-dialog') !== null"), "the dialog")
+        self.assertEqual(browser.as_told("#control-dialog"), ("dialog", "Lessons: choose one"))
+        browser.script("for (const each of document.querySelectorAll('details')) each.open = true")
+        # Each of them has the role of its kind, and a name.
+        roles = {"H1": "heading", "H2": "heading", "H3": "heading", "BUTTON": "button", "radio": "radio", "range": "slider"}
+        found = browser.script(
+            """
+            const all = document.querySelectorAll("#controls :is(button, input, h1, h2, h3)[id]");
+            return [...all].map((each) => [each.id, each.tagName === "INPUT" ? each.type : each.tagName]);
+            """
+        )
+        self.assertGreater(len(found), 50)
+        for each, kind in found:
+            role, name = browser.as_told(f"[id='{each}']")
+            self.assertEqual(role, roles[kind], each)
+            self.assertTrue(name, each)
+        browser.press("Escape")
+        wait_for(lambda: browser.script("return document.getElementById('control-dialog') === null"), "no dialog")
         # By Tab from the canvas to the strategies, and by an arrow to another one.
         focused = lambda: browser.script("return document.activeElement.id")
         self.assertEqual(focused(), "stage")

@@ -51,7 +51,7 @@ class Context(PageTest):
         browser.wait(lambda _: "taken the graphics away" in browser.body_text(), "words about the graphics")
         nodes = browser.command("Accessibility.getFullAXTree")["nodes"]
         dialog = next(each for each in nodes if each.get("role", {}).get("value") == "alertdialog")
-        self.assertIn("what you have set up is in its address", dialog["name"]["value"])
+        self.assertIn("where you were is in its address", dialog["name"]["value"])
         browser.driver.find_element("css selector", "#way-back button").click()
         again = browser.wait(
             lambda now: now["ready"] and now["context_losses"] == 0 and now["renderer"], "the page loaded again"
@@ -60,8 +60,23 @@ class Context(PageTest):
             self.assertEqual(again[key], state[key], key)
         self.assertNotIn("taken the graphics away", browser.body_text())
 
-    def test_that_stays_away_in_a_lesson_says_that_it_begins_anew(self):
+    def test_that_stays_away_in_a_lesson_leads_back_to_its_step(self):
         browser = self.open(query="?lesson=ghost")
+        for _ in range(2):  # the first one shows the answer
+            browser.press("PageDown")
+        browser.wait(lambda now: "lesson=ghost&step=2" in now["url"], "an address that names the step")
+        browser.script(
+            "document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
+        )
+        browser.wait(lambda _: "is in its address" in browser.body_text(), "words about the graphics")
+        browser.driver.find_element("css selector", "#way-back button").click()
+        again = browser.wait(
+            lambda now: now["ready"] and now["context_losses"] == 0 and now["renderer"], "the page loaded again"
+        )
+        self.assertEqual((again["lesson"]["name"], again["lesson"]["step"]), ("ghost", 2))
+
+    def test_that_stays_away_in_a_kiosk_says_that_it_begins_anew(self):
+        browser = self.open(query="?kiosk&lesson=ghost")
         browser.script(
             "document.getElementById('stage').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext()"
         )

@@ -101,6 +101,15 @@ class Address(PageTest):
         self.assertEqual((state["lesson"]["name"], state["lesson"]["step"]), ("ghost", 1))
         self.assertEqual(state["face"], "stage")
 
+    def test_begins_a_lesson_at_a_step_and_follows_it(self):
+        browser = self.open(query="?lesson=ghost&step=3")
+        state = browser.wait(lambda state: state["lesson"] is not None, "a lesson")
+        self.assertEqual(state["lesson"]["step"], 3)
+        browser.press("PageUp")
+        browser.wait(lambda state: "lesson=ghost&step=2" in state["url"], "the step before, in the address")
+        browser.press("Escape")
+        browser.wait(lambda state: state["lesson"] is None and "lesson" not in state["url"], "an address without it")
+
     def test_of_a_lesson_that_is_not_there_is_told_of(self):
         browser = self.open(query="?lesson=gost")
         state = browser.wait(lambda state: "gost" in state["notice"], "words about the lesson")
@@ -120,6 +129,7 @@ class Address(PageTest):
             ("?embed=httpx://a", "not the origin of a page"),
             ("?fit=banana", "fit takes no value but 1"),
             ("?notices=no", "notices takes no value but 1"),
+            ("?lesson=ghost&step=9", "Step 9 in the address of this page cannot be used: the lesson has 7 steps"),
             ("?lesson=ghost#broken", "is not used: the lesson comes before it"),
         ):
             with self.subTest(query=query):

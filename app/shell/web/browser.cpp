@@ -27,6 +27,20 @@ EM_JS(void, write_fragment, (const char* text), {
     // A page within another one may not; there is no address to see either.
   }
 })
+EM_JS(void, write_lesson, (const char* name, int step), {
+  const address = new URL(location.href);
+  for (const [key, value] of [["lesson", UTF8ToString(name)], ["step", step]]) {
+    if (UTF8ToString(name)) address.searchParams.set(key, value);
+    else address.searchParams.delete(key);
+  }
+  address.hash = "";
+  if (address.href === location.href) return;
+  try {
+    history.replaceState(null, "", address.href);
+  } catch (error) {
+    // A page within another one may not; there is no address to see either.
+  }
+})
 EM_JS(void, show_link_to, (const char* text), { Module["showLink"](encodeURI(UTF8ToString(text))); })
 EM_JS(bool, has_open_dialog, (), { return document.querySelector("dialog[open]") !== null; })
 EM_JS(bool, take_changed_fragment, (), {
@@ -141,6 +155,10 @@ std::string fragment() {
 
 void set_fragment(const std::string& text) {
   write_fragment(text.c_str());
+}
+
+void set_lesson(const std::string& name, std::size_t step) {
+  write_lesson(name.c_str(), static_cast<int>(step));
 }
 
 void show_link(const std::string& text) {

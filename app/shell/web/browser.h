@@ -1,6 +1,7 @@
 // What the page asks of the browser that Emscripten's headers have no function for. Main thread.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,8 @@ std::string query();
 std::string fragment();
 // From now on that follows the #, without a new entry in the browser's history.
 void set_fragment(const std::string& text);
+// From now on the address names this lesson and step, from 1, and nothing follows the #. Without a name, no lesson.
+void set_lesson(const std::string& name, std::size_t step);
 // Whether this is the origin of a page, by http or https, written as this browser writes it.
 bool is_origin(const std::string& value);
 // Shows the address of this page with that text behind the #, for others to open, and its QR code where others can

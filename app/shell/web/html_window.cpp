@@ -194,7 +194,7 @@ void HtmlWindow::listen() {
 }
 
 bool HtmlWindow::uses_tab() const {
-  return key_uses_.tab || ImGui::GetIO().WantTextInput;
+  return key_uses_.tab;
 }
 
 bool HtmlWindow::uses_escape() const {

@@ -95,6 +95,12 @@ struct Page::Start {
     if (!address.lesson.empty()) {
       attempt("The lesson", [&] { lesson = std::make_shared<const Lesson>(load_lesson(address.lesson)); });
     }
+    if (lesson && address.lesson_step > lesson->steps.size()) {
+      stored.remarks.push_back(
+          fmt::format("Step {} in the address of this page cannot be used: the lesson has {} steps.",
+                      address.lesson_step, lesson->steps.size()));
+      address.lesson_step = 1;
+    }
     const std::string fragment = browser::fragment();
     if (!fragment.empty() && (lesson || is_kiosk)) {
       stored.remarks.push_back(fmt::format("The set-up in the address of this page is not used: {}",
@@ -124,6 +130,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .face = preferences.face,
       .mode = start.set_up ? start.set_up->mode : StageMode::none,
       .lesson = start.lesson,
+      .lesson_step = start.address.lesson_step - 1,
       .language = preferences.language,
       .lesson_progress = start.progress,
       .inputs = page_inputs(),
@@ -201,12 +208,11 @@ void Page::follow_address() {
   }
 }
 
-// On the stage Tab leads on to the controls beside it. The workbench's own are in the picture alone, as are dialogs. One
-// visitor's Esc must not leave the next one without keys.
+// On the stage Tab leads on to the controls beside it, which have dialogs too. The workbench's own are in the picture
+// alone. One visitor's Esc must not leave the next one without keys.
 void Page::follow_keys() {
   const Session& session = application_.session();
-  window_.set_key_uses({.tab = session.face == Face::workbench || session.dialog != Dialog::none,
-                        .escape = escape_has_use(session) || is_kiosk_});
+  window_.set_key_uses({.tab = session.face == Face::workbench, .escape = escape_has_use(session) || is_kiosk_});
   // In a page around this one, nobody else says so.
   const Face before = std::exchange(seen_face_, session.face);
   if (before == session.face || session.face == Face::stage || !browser::is_in_frame()) return;
@@ -255,7 +261,8 @@ void Page::follow_fingers() {
 }
 
 // Most browsers bring the graphics back within a second. Where one never does, a page that is loaded again has them: the
-// address holds what is shown, except in a lesson, and what was chosen is kept.
+// address holds what is shown, and what was chosen is kept. A kiosk's address names no step, and a lesson from a file has
+// no address.
 void Page::offer_way_back() {
   constexpr int patience = 180;  // frames: 3 s, of a tab that is in sight
   const bool was_offered = frames_without_graphics_ >= patience;
@@ -264,15 +271,22 @@ void Page::offer_way_back() {
   if (is_offered == was_offered) return;
   const StageLanguage::Page& words = stage_language(application_.session().language).page;
   if (is_offered) keep();
-  const bool is_in_lesson = is_kiosk_ || application_.session().lesson;
-  const std::string_view lost = is_in_lesson ? words.graphics_lost_in_lesson : words.graphics_lost;
+  const std::optional<LessonState>& lesson = application_.session().lesson;
+  const bool begins_anew = is_kiosk_ || (lesson && !lesson->lesson->file.empty());
+  const std::string_view lost = begins_anew ? words.graphics_lost_in_lesson : words.graphics_lost;
   browser::offer_to_load_again(std::string(is_offered ? lost : ""), std::string(words.load_again));
 }
 
-// Once the person has left a new set-up alone for a moment.
+// Once the person has left a new set-up alone for a moment. In a lesson, the step.
 void Page::write_address() {
   const Session& session = application_.session();
-  if (is_kiosk_ || session.lesson || session.is_editing) return;
+  if (is_kiosk_ || session.is_editing) return;
+  if (session.lesson) {
+    const Lesson& lesson = *session.lesson->lesson;
+    browser::set_lesson(lesson.file.empty() ? lesson.name : std::string(), session.lesson->step + 1);
+    address_.clear();  // whatever comes after the lesson takes its place
+    return;
+  }
   std::string line = set_up_line(set_up_of(session, application_.shown()));
   if (std::exchange(line_, line) != line || line == address_) return;
   browser::set_fragment(line);

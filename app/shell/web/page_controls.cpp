@@ -17,8 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // In the order of their ids; page_controls.js makes an element of each.
-constexpr std::array kind_names{"group",  "choices", "folded", "rows",   "text",   "told",
-                                "status", "alert",   "button", "toggle", "choice", "range"};
+constexpr std::array kind_names{"group",  "dialog", "choices", "folded", "rows",   "text",   "told",
+                                "status", "alert",  "button",  "file",   "toggle", "choice", "range"};
 static_assert(kind_names.size() == static_cast<std::size_t>(StageControlKind::range) + 1);
 
 // What has nothing to say is left out.
@@ -60,8 +60,7 @@ void PageControls::show(Application& application, bool is_later) {
   const Theme& theme = *session.appearance.theme;
   const StageLanguage::Controls& words = stage_language(session.language).controls;
   Json json{{"language", session.language},
-            {"picture",
-             session.face == Face::workbench || session.dialog != Dialog::none ? words.picture_alone : words.picture},
+            {"picture", session.face == Face::workbench ? words.picture_alone : words.picture},
             {"about", words.about},
             {"how_to", words.how_to},
             {"colours",

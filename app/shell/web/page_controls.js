@@ -34,6 +34,11 @@ const makers = {
     node.setAttribute("aria-labelledby", name.id);
     return { node, main: node, name, list };
   },
+  dialog(control, id) {
+    const made = makers.group(control, id);
+    made.node.setAttribute("role", "dialog");
+    return made;
+  },
   choices() {
     const name = element("legend");
     const list = element("div");
@@ -69,6 +74,14 @@ const makers = {
     return { node: element("div", {}, main, about), main, name: main, about };
   },
   toggle: (control, id) => makers.button(control, id),
+  file(control, id) {
+    const made = makers.button(control, id);
+    made.main.onclick = () => {
+      document.getElementById("file-chooser").click();
+      use(control.id, 0);
+    };
+    return made;
+  },
   choice(control, id) {
     const main = element("input", { type: "radio", name: "choice", onchange: () => use(control.id, 0) });
     const name = element("span");
@@ -121,13 +134,15 @@ function tellNews() {
 function showOne(control, isItem) {
   const id = "control-" + control.id;
   let made = shown.get(control.id);
-  if (made === undefined || made.kind !== control.kind) {
-    made = { kind: control.kind, ...makers[control.kind](control, id) };
+  if (made === undefined || made.kind !== control.kind || made.isItem !== isItem) {
+    made = { kind: control.kind, isItem, ...makers[control.kind](control, id) };
     made.main.id ||= id;
     made.outer = isItem ? element("li", {}, made.node) : made.node;
     made.isNew = true;
     shown.set(control.id, made);
   }
+  // In the place of one dialog there may be another one.
+  made.isNew ||= control.kind === "dialog" && made.name.textContent !== control.words;
   setAttribute(made.main, "lang", control.language);
   if (toldKinds.includes(control.kind) && made.name.textContent !== control.words) news.push(control);
   setText(made.name, control.words);
@@ -163,11 +178,20 @@ function fill(parent, controls, areItems) {
   });
 }
 
-// Where the focus goes when its element has gone: to the heading of what stood round it.
+let opener = stage;  // what had the focus when the dialog was opened
+
+// Where the focus goes when its element has gone: from a dialog to what has opened it, else to the heading of what stood
+// round it. What is folded takes no focus.
 function keepFocus(focused, round) {
   if (!focused || panel.contains(document.activeElement)) return;
-  const heading = (each) => each.isConnected && each.querySelector("h1, h2, h3");
-  heading(round.find(heading)).focus();
+  if (round.some((each) => each.id === "control-dialog" && !each.isConnected)) {
+    opener.focus();
+    if (document.activeElement === opener) return;
+  }
+  for (const each of round) {
+    if (each.isConnected) each.querySelector("h1, h2, h3")?.focus();
+    if (panel.contains(document.activeElement)) return;
+  }
 }
 
 function showControls(told) {
@@ -186,8 +210,11 @@ function showControls(told) {
   for (let each = focused; each && each !== document.body; each = each.parentElement) round.push(each);
   fill(document.getElementById("control-list"), told.controls, false);
   for (const [id, made] of shown) {
-    // Who has begun a lesson is where it is.
-    if (id === "lesson" && made.isNew && focused) made.name.focus();
+    // Who has begun a lesson, or opened a dialog, is where it is.
+    if (["lesson", "dialog"].includes(id) && made.isNew) {
+      if (id === "dialog" && !round.includes(made.node)) opener = focused ?? stage;
+      if (focused) made.name.focus();
+    }
     made.isNew = false;
     if (!made.outer.isConnected) shown.delete(id);
   }
@@ -214,6 +241,8 @@ addEventListener("resize", () => {
 });
 panel.addEventListener("keydown", (event) => {
   if (event.key !== "Escape") return;
+  const isDialogOpen = shown.has("dialog");
   use("motors-stop", 0);
-  stage.focus();
+  if (isDialogOpen) use("dialog-close", 0);
+  else stage.focus();
 });

@@ -381,13 +381,13 @@ TEST_F(FindingThings, AllPreferencesAreResetAfterAQuestion) {
   session().plots.is_open = true;
   session().dialog = Dialog::reset_preferences;
   frames(3);
-  ImGui::ActivateItemByID(window_named("Reset all preferences?").GetID("Cancel"));
+  ImGui::ActivateItemByID(window_named("###reset").GetID("Cancel"));
   frames(4);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_TRUE(session().plots.is_open) << "a question that is declined changes nothing";
   session().dialog = Dialog::reset_preferences;
   frames(3);
-  ImGui::ActivateItemByID(window_named("Reset all preferences?").GetID("Reset all"));
+  ImGui::ActivateItemByID(window_named("###reset").GetID("Reset all"));
   frames(4);
   EXPECT_EQ(session().dialog, Dialog::none);
   EXPECT_EQ(preferences_in(session()), Preferences{.language = session().language}) << "the environment's";

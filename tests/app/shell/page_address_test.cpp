@@ -48,7 +48,10 @@ TEST(PageAddress, TellsOfEachMistakeAndUsesTheRest) {
       {"lesson=5%", "the % of '%'"},
       {"lesson=%zz", "the % of '%zz'"},
       {"lessons=ghost", "did you mean 'lesson'?"},
-      {"script", "is not one of lesson, language, kiosk, reset, fit, embed, notices"},
+      {"step=2", "a kiosk begins each lesson at its first step"},
+      {"step=0", "'0' is not the number of a step; give 1 or more"},
+      {"step=two", "'two' is not the number of a step"},
+      {"script", "is not one of lesson, step, language, kiosk, reset, fit, embed, notices"},
       {"fit&fit", "fit is there twice"},
       {"embed=*", "'*' is not the origin of a page"},
       {"fit=banana", "fit takes no value but 1"},
@@ -61,6 +64,17 @@ TEST(PageAddress, TellsOfEachMistakeAndUsesTheRest) {
     EXPECT_TRUE(address.is_kiosk);
     EXPECT_EQ(address.lesson + address.language + address.embedder, "") << query;
   }
+}
+
+TEST(PageAddress, BeginsALessonAtAStep) {
+  EXPECT_EQ(read("lesson=ghost").lesson_step, 1U);
+  const PageAddress address = read("lesson=ghost&step=3");
+  EXPECT_TRUE(address.problems.empty());
+  EXPECT_EQ(address.lesson_step, 3U);
+  const PageAddress without = read("step=3");
+  ASSERT_EQ(without.problems.size(), 1U);
+  EXPECT_NE(without.problems.front().find("no lesson is named"), std::string::npos) << without.problems.front();
+  EXPECT_EQ(without.lesson_step, 1U);
 }
 
 TEST(PageAddress, SwitchesOnWithoutAValueOrWithOneAlone) {

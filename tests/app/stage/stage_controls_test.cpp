@@ -8,6 +8,9 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/files/scene_file.h"
@@ -17,6 +20,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/palette_catalog.h"
 #include "app/state/permit.h"
+#include "app/state/proposed_path.h"
 #include "app/state/stage_moment.h"
 #include "core/scene_shape.h"
 #include "core/wall.h"
@@ -325,6 +329,8 @@ TEST_F(StageControls, AreOnlyTheLessonsForAVisitor) {
   session.kiosk_visit = KioskVisit{.lessons = {shipped_lessons().front()}, .language = "en"};
   begin_lesson(session, shipped_lessons().front());
   for (const std::string_view id : {"actions", "keys", "lessons", "modes", "lesson-leave"}) EXPECT_FALSE(has(id)) << id;
+  session.dialog = Dialog::lessons;
+  EXPECT_FALSE(has("dialog")) << "there is no way to it";
   EXPECT_EQ(control("lesson-language").words, "Español");
   EXPECT_EQ(control("lesson-language").language, "es");
 }
@@ -338,6 +344,74 @@ TEST_F(StageControls, TellANoticeUntilItIsDismissed) {
   EXPECT_EQ(control("notice").language, "en");
   use("notice-close");
   EXPECT_FALSE(has("notice"));
+}
+
+TEST_F(StageControls, SayWhereMotorAndWallPush) {
+  apply(session, TurnMotorTo{0.5236});
+  EXPECT_EQ(control("value-motor").words, "the motor pushes at 30°");
+  EXPECT_EQ(control("value-wall").words, "the wall pushes at 135°, counted from the right");
+}
+
+TEST_F(StageControls, HaveWhatEachDialogCanDoAndAWayOut) {
+  for (int i = 1; i <= static_cast<int>(Dialog::reset_preferences); ++i) {
+    if (static_cast<Dialog>(i) == Dialog::save_clip) continue;  // on the desktop alone
+    session.dialog = static_cast<Dialog>(i);
+    const std::vector<StageControl> tree = controls();
+    std::set<std::string> ids;
+    for (const StageControl* const each : all_of(tree)) EXPECT_TRUE(ids.insert(each->id).second) << each->id;
+    EXPECT_EQ(control("dialog").kind, Kind::dialog);
+    EXPECT_GT(control("dialog").parts.size(), 1U) << "more than its way out, of dialog " << i;
+    use("dialog-close");
+    EXPECT_FALSE(has("dialog"));
+  }
+}
+
+TEST_F(StageControls, HaveAListWhereItsDialogShowsIt) {
+  for (const auto& [dialog, list, row] : {std::tuple{Dialog::lessons, "lessons", "begin-ghost"},
+                                          {Dialog::help, "keys", "key-1"},
+                                          {Dialog::palette, "actions", "action-1"}}) {
+    session.dialog = dialog;
+    EXPECT_FALSE(has(list)) << "twice the same";
+    EXPECT_NE(find_control(control("dialog").parts, row), nullptr) << list;
+    session.dialog = Dialog::none;
+    EXPECT_TRUE(has(list));
+  }
+}
+
+TEST_F(StageControls, SaveWhatADialogSavesUnderTheNameThatItProposes) {
+  session.dialog = Dialog::save_picture;
+  const std::vector<Action> actions = control("save-scene-alone").act(0.0);
+  ASSERT_EQ(actions.size(), 2U);
+  const SavePicture& saved = std::get<SavePicture>(actions.front());
+  EXPECT_EQ(saved.path, proposed_path(session, Dialog::save_picture));
+  EXPECT_TRUE(saved.scene_alone);
+  EXPECT_TRUE(std::holds_alternative<CloseDialog>(actions.back()));
+  EXPECT_FALSE(std::get<SavePicture>(control("save-window").act(0.0).front()).scene_alone);
+}
+
+// The dialog stays open over what could not be opened.
+TEST_F(StageControls, SayWhyASceneCannotBeOpened) {
+  session.dialog = Dialog::open_scene;
+  EXPECT_FALSE(has("open-problem"));
+  session.form.problem = "nothing is there";
+  EXPECT_EQ(control("open-problem").kind, Kind::alert);
+  EXPECT_EQ(control("open-problem").words, "nothing is there");
+}
+
+TEST_F(StageControls, CloseThePaletteBeforeWhatItsRowsDo) {
+  session.dialog = Dialog::palette;
+  const std::vector<Action> actions = control("action-1").act(0.0);
+  ASSERT_GE(actions.size(), 2U);
+  EXPECT_TRUE(std::holds_alternative<CloseDialog>(actions.front()));
+}
+
+TEST_F(StageControls, AskBeforeTheyForgetLessons) {
+  session.dialog = Dialog::lessons;
+  EXPECT_FALSE(has("forget")) << "there is nothing to forget";
+  session.lesson_progress.lessons["ghost"] = {};
+  EXPECT_EQ(control("forget").kind, Kind::folded);
+  use("forget-lessons");
+  EXPECT_FALSE(has("forget"));
 }
 
 TEST_F(StageControls, CallADialogAsItsActionIsCalled) {

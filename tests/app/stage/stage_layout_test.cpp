@@ -145,6 +145,25 @@ TEST_P(StageLayoutTest, HasLettersThatCanBeReadOnAPhone) {
   }
 }
 
+// As many as have room, the link first.
+TEST_P(StageLayoutTest, SaysTheKeysOfAPage) {
+  StageCase shown = stage_case_at(wall45(), wall45_goal);
+  shown.language = GetParam();
+  shown.keys = {.lessons = "M", .help = "K", .link = "U"};
+  std::size_t before = 0;
+  for (const double width : {1280.0, 1920.0}) {
+    shown.size = {width, 800.0};
+    const std::vector<StageButton> buttons = shown.compose().buttons;
+    const auto is_hint = [](const StageButton& each) {
+      return each.words.starts_with("U ") || each.words.starts_with("M ") || each.words.starts_with("K ");
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(buttons, is_hint));
+    EXPECT_GE(count, std::max<std::size_t>(1, before)) << width;
+    before = count;
+  }
+  EXPECT_EQ(before, 3U) << "there is room for all of them";
+}
+
 TEST_P(StageLayoutTest, HasTheLinkOfAPage) {
   for (const Vector<2>& size : {Vector<2>(1280.0, 800.0), Vector<2>(800.0, 1280.0), Vector<2>(390.0, 844.0)}) {
     StageCase shown = stage_case_at(wall45(), wall45_goal);

@@ -11,9 +11,9 @@
 #include "app/picture/handles.h"
 #include "app/shell/preferences.h"
 #include "app/stage/hints.h"
+#include "app/state/proposed_path.h"
 #include "app/state/scene_view.h"
 #include "app/workbench/bars.h"
-#include "app/workbench/save_path.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/support/read_png.h"
 #include "tests/support/temporary_folder.h"
@@ -426,7 +426,7 @@ TEST(Caption, SaysWhatIsTrueNow) {
   EXPECT_NE(caption_of(settings, inside).find("along the wall"), std::string_view::npos);
 }
 
-TEST(SavePath, MakesFileNamesOfTitles) {
+TEST(ProposedPath, MakesFileNamesOfTitles) {
   EXPECT_EQ(file_stem("A wall at 45 degrees"), "a-wall-at-45-degrees");
   EXPECT_EQ(file_stem("Figure 3: ρ = 1/2"), "figure-3-1-2");
   EXPECT_EQ(file_stem("«»"), "scene");
