@@ -102,8 +102,8 @@ PageAddress read_page_address(std::string_view query, const IsOrigin& is_origin)
     }
   }
   const bool takes_step = !address.lesson.empty() && !address.is_kiosk;
-  if (read.contains("step") && !takes_step) {
-    address.lesson_step = 1;
+  if (address.lesson_step && !takes_step) {
+    address.lesson_step.reset();
     address.problems.push_back(fmt::format("'step' in the address of this page is not used: {}",
                                            address.is_kiosk ? "a kiosk begins each lesson at its first step."
                                                             : "no lesson is named; add lesson= and the name of one."));

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,9 +11,9 @@
 namespace ghostforce {
 
 struct PageAddress {
-  std::string lesson{};            // by name; empty: none
-  std::size_t lesson_step = 1;     // to begin it with, from 1
-  std::string language{};          // its code; empty: as the person prefers
+  std::string lesson{};                      // by name; empty: none
+  std::optional<std::size_t> lesson_step{};  // to begin it with, from 1; empty: the first
+  std::string language{};                    // its code; empty: as the person prefers
   std::string embedder{};          // origin of the page around this one, for their messages; empty: there are none
   bool is_kiosk = false;           // for visitors
   bool is_for_new_person = false;  // nothing that is kept is used, and nothing is kept

@@ -98,8 +98,8 @@ struct Page::Start {
     if (lesson && address.lesson_step > lesson->steps.size()) {
       stored.remarks.push_back(
           fmt::format("Step {} in the address of this page cannot be used: the lesson has {} steps.",
-                      address.lesson_step, lesson->steps.size()));
-      address.lesson_step = 1;
+                      *address.lesson_step, lesson->steps.size()));
+      address.lesson_step.reset();
     }
     const std::string fragment = browser::fragment();
     if (!fragment.empty() && (lesson || is_kiosk)) {
@@ -130,7 +130,7 @@ ApplicationOptions Page::options_for(const Start& start, Times& times) {
       .face = preferences.face,
       .mode = start.set_up ? start.set_up->mode : StageMode::none,
       .lesson = start.lesson,
-      .lesson_step = start.address.lesson_step - 1,
+      .lesson_step = start.address.lesson_step.value_or(1) - 1,
       .language = preferences.language,
       .lesson_progress = start.progress,
       .inputs = page_inputs(),

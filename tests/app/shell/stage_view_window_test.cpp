@@ -184,7 +184,9 @@ TEST_F(StageViewWindow, KeepsTheHandAboveTheRibbonAndIsAsBeforeWithoutIt) {
 }
 
 TEST_F(StageViewWindow, StaysWhereAPersonHasMovedIt) {
+  const Vector<2> held = to_world(picture().pane.camera, {640.0, 400.0});
   drag({640.0, 400.0}, {250.0, 300.0}, GLFW_MOUSE_BUTTON_RIGHT);
+  EXPECT_LT(glm::distance(on_window(held), Vector<2>(250.0, 300.0)), 1.0) << "it has come along with the pointer";
   const SceneView moved = session().stage_shown;
   frames(120);
   EXPECT_EQ(session().stage_shown, moved) << "though something is covered";
