@@ -183,7 +183,8 @@ TEST_F(OwedStopTest, TheGuardOfADeviceThatIsOwedAStopGivesIt) {
   EXPECT_TRUE(becomes([&] { return !chip_a.pushes(); }));
 }
 
-// Once more where this machine came so late that the guard took the device meanwhile.
+// Once more where this machine came so late that the guard took the device meanwhile, of which the driver may see
+// nothing. A driver that opens it anew does so each time.
 TEST_F(OwedStopTest, AChipThatIsResetWhileItsCableIsInIsSetUpAgainAndStopped) {
   a.plug();
   bool was_late = true;
@@ -197,10 +198,9 @@ TEST_F(OwedStopTest, AChipThatIsResetWhileItsCableIsInIsSetUpAgainAndStopped) {
     is_armed = false;
     EXPECT_TRUE(tick_until([&] { return !input->report().may_still_push; }));
     EXPECT_TRUE(tick_until([&] { return input->report().is_readable(); }));
-    was_late = input->report().faults != faults;
-    EXPECT_TRUE(was_late || a.times_taken() == times_taken) << "it is not opened anew";
+    was_late = input->report().faults != faults || a.times_taken() != times_taken;
   }
-  EXPECT_FALSE(was_late);
+  EXPECT_FALSE(was_late) << "it is not opened anew";
 }
 
 }  // namespace
