@@ -96,7 +96,7 @@ void add_palette(const ControlSource& source, ControlParts& parts) {
 
 // In English, as all that the picture says of devices there.
 void add_device_status(const ControlSource& source, ControlParts& parts) {
-  parts.push_back(text_control("device-status", Kind::text, why_no_readiness(source.loop)));
+  parts.push_back(text_control("device-status", Kind::status, why_no_readiness(source.loop)));
   parts.back().language = english;
 }
 
@@ -171,6 +171,7 @@ void add_dialog(const ControlSource& source, ControlParts& parts) {
   // It says that it has been opened, for whoever is elsewhere.
   parts.push_back(text_control("dialog-open", Kind::status, filled(language.controls.dialog, name)));
   parts.push_back(group_control("dialog", Kind::dialog, name, std::move(inside)));
+  parts.back().about = filled(language.controls.closed, name);
 }
 
 }  // namespace ghostforce

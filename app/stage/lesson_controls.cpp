@@ -53,6 +53,7 @@ void add_answers(const ControlSource& source, const StageLesson& lesson, Control
     const LessonMark mark = i < lesson.marks.size() ? lesson.marks[i] : LessonMark::none;
     if (mark == LessonMark::right) button.about = all.right_answer;
     if (mark == LessonMark::wrong) button.about = all.your_answer;
+    if (!button.refusal.empty()) button.refusal = all.answered;
     parts.push_back(std::move(button));
   }
 }
@@ -89,7 +90,7 @@ StageControl lesson_control(const ControlSource& source) {
   const StageLesson& lesson = *source.reading.lesson;
   const LessonStep& step = lesson_step(*source.session.lesson);
   ControlParts parts;
-  parts.push_back(text_control("lesson-place", Kind::text, lesson.place));
+  parts.push_back(text_control("lesson-place", Kind::status, lesson.place));
   if (lesson.is_right) {
     parts.push_back(text_control("lesson-outcome", Kind::status, std::string(source.language.controls.right)));
   }
@@ -108,7 +109,9 @@ StageControl lesson_control(const ControlSource& source) {
     button.language = next_language(source.session);
     parts.push_back(std::move(button));
   }
-  return group_control("lesson", Kind::group, lesson.title, std::move(parts));
+  StageControl group = group_control("lesson", Kind::group, lesson.title, std::move(parts));
+  group.about = filled(source.language.controls.closed, lesson.title);
+  return group;
 }
 
 StageControl lesson_list(const ControlSource& source) {

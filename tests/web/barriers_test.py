@@ -148,7 +148,9 @@ class NoTrap(ControlsTest):
         browser.press("Escape")
         browser.wait_until(mode="none")
         self.assertEqual(self.focused(), "stage", "it has closed something")
+        self.listen()
         wait_for(lambda: browser.press("Escape") or self.focused() == "", "a canvas without the focus")
+        self.assertIn("The picture has no keys now. Shift+Tab leads back to it, and Tab to what it shows.", self.heard())
         browser.press("Tab")
         self.assertTrue(browser.script("return document.getElementById('controls').contains(document.activeElement)"))
 

@@ -123,7 +123,7 @@ class Controls(ControlsTest):
         for control, name, value in (
             ("hand-depth", "Hand: depth in the wall", "20.0 mm deep in the wall"),
             ("wall", "Wall: angle of its push, counterclockwise from the right", "135°"),
-            ("ratio", "Ratio ρ of the anisotropic strategy", "ρ = 4.00"),
+            ("ratio", "Ratio ρ, of the anisotropic strategy alone: how firmly the mark follows along the motor, over how firmly across it", "ρ = 4.00"),
         ):
             with self.subTest(name):
                 # Name, value and unit are the slider's, and stand nowhere beside it. The protocol has no value text.
@@ -338,6 +338,9 @@ class LessonWithoutTheCanvas(ControlsTest):
     def go_on(self, step):
         self.use("lesson-next")
         self.browser.wait(lambda state: state["lesson"] is None or state["lesson"]["step"] == step, f"step {step}")
+        # The same button does something else there: nobody is to press it once more unawares.
+        wait_for(lambda: self.focused() == "control-lesson-name", "the focus at the step", self.browser.told_state)
+        wait_for(lambda: f"{step} of 7" in self.spoken(), "which step it is", self.browser.told_state)
 
     def choose_rightly(self):
         self.use(f"answer-{self.lesson()['right_answer']}")

@@ -130,8 +130,10 @@ class WithoutTheCanvas(ControlsTest):
         )
         self.use(row)
         self.expect_dialog("save_picture")
+        self.listen()
         self.browser.press("Escape")
         self.browser.wait_until(dialog="none")
+        wait_for(lambda: "Closed: Save a picture." in self.heard(), "that it is closed", self.browser.told_state)
         wait_for(lambda: self.focused() == "control-" + row, "the focus where it was", self.browser.told_state)
 
     def expect_dialog(self, dialog):

@@ -119,6 +119,7 @@ EM_JS(bool, is_nothing_focused, (), { return document.activeElement === document
 EM_JS(bool, is_within_another_page, (), { return window.top !== window.self; })
 EM_JS(bool, has_given_keys_back, (), { return Module["hasGivenKeysBack"] ?? false; })
 EM_JS(void, blur_canvas, (), {
+  if (document.activeElement === Module["canvas"]) Module["tellKeysGivenBack"]();
   Module["canvas"].blur();
   Module["hasGivenKeysBack"] = true;
 })

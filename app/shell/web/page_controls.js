@@ -111,6 +111,15 @@ let news = [];
 let hasTold = false;
 let noticeCount = 0;  // of notices so far, the same words once more counted again
 
+// An element of its own, so that the same words can be told twice, and after those that may not have been told yet.
+function announce(words, region = "polite", language = "") {
+  const told = document.getElementById(region);
+  const each = element("p", { textContent: words });
+  setAttribute(each, "lang", language);
+  told.append(each);
+  while (told.children.length > mostTold) told.firstElementChild.remove();
+}
+
 function tellNews() {
   const isFirst = !hasTold;
   hasTold = true;
@@ -118,14 +127,9 @@ function tellNews() {
     // With a pause after each.
     const its = news.filter((each) => (each.kind === "alert") === isAlert);
     const words = its.map((each) => each.words.replace(/[^.:!?…]$/, "$&."));
-    // An element of its own, so that the same words can be told twice, and after those that may not have been told yet.
     // What is there at first is read anyway.
     if (words.length > 0 && (isAlert || !isFirst)) {
-      const told = document.getElementById(region);
-      const each = element("p", { textContent: words.join(" ") });
-      if (its.every((one) => one.language === its[0].language)) setAttribute(each, "lang", its[0].language);
-      told.append(each);
-      while (told.children.length > mostTold) told.firstElementChild.remove();
+      announce(words.join(" "), region, its.every((one) => one.language === its[0].language) ? its[0].language : "");
     }
   }
   news = [];
@@ -141,8 +145,11 @@ function showOne(control, isItem) {
     made.isNew = true;
     shown.set(control.id, made);
   }
-  // In the place of one dialog there may be another one.
-  made.isNew ||= control.kind === "dialog" && made.name.textContent !== control.words;
+  // In the place of one dialog there may be another one, as of a lesson's steps.
+  const changing = control.id === "lesson" ? control.parts[0].words : control.kind === "dialog" && control.words;
+  made.isNew ||= changing !== made.changing;
+  made.changing = changing;
+  if (made.list) made.whenGone = control.about;
   setAttribute(made.main, "lang", control.language);
   if (toldKinds.includes(control.kind) && made.name.textContent !== control.words) news.push(control);
   setText(made.name, control.words);
@@ -150,6 +157,7 @@ function showOne(control, isItem) {
   if (made.about) {
     setText(made.about, control.kind === "range" ? control.about ?? "" : remark);
     if (control.kind !== "range") setAttribute(made.main, "aria-describedby", remark && made.about.id);
+    else setAttribute(made.main, "aria-description", control.refusal);
   }
   if (control.kind === "toggle") setAttribute(made.main, "aria-pressed", control.is_on ? "true" : "false");
   if (control.kind === "choice") made.main.checked = control.is_on === true;
@@ -210,13 +218,16 @@ function showControls(told) {
   for (let each = focused; each && each !== document.body; each = each.parentElement) round.push(each);
   fill(document.getElementById("control-list"), told.controls, false);
   for (const [id, made] of shown) {
-    // Who has begun a lesson, or opened a dialog, is where it is.
+    // Who has begun a lesson, gone on in it or opened a dialog is where it is.
     if (["lesson", "dialog"].includes(id) && made.isNew) {
       if (id === "dialog" && !round.includes(made.node)) opener = focused ?? stage;
       if (focused) made.name.focus();
     }
     made.isNew = false;
-    if (!made.outer.isConnected) shown.delete(id);
+    if (!made.outer.isConnected) {
+      shown.delete(id);
+      if (made.whenGone) announce(made.whenGone);
+    }
   }
   keepFocus(focused, round);
   const notice = told.controls.find((each) => each.id === "notice");

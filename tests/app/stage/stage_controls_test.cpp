@@ -346,6 +346,15 @@ TEST_F(StageControls, TellANoticeUntilItIsDismissed) {
   EXPECT_FALSE(has("notice"));
 }
 
+TEST_F(StageControls, SayWhichSceneIsOpenedAndWhatIsClosed) {
+  EXPECT_EQ(control("value-scene").words, "scene: " + session.scene->title);
+  session.dialog = Dialog::save_picture;
+  EXPECT_EQ(control("dialog").about, "Closed: Save a picture.");
+  begin_lesson(session, shipped_lessons().front());
+  EXPECT_FALSE(has("value-scene")) << "a lesson chooses it";
+  EXPECT_EQ(control("lesson").about, "Closed: " + control("lesson").words + ".");
+}
+
 TEST_F(StageControls, SayWhereMotorAndWallPush) {
   apply(session, TurnMotorTo{0.5236});
   EXPECT_EQ(control("value-motor").words, "the motor pushes at 30°");
