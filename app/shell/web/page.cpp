@@ -260,9 +260,9 @@ void Page::follow_fingers() {
   session.fits_view = session.fits_view || !all_seen;
 }
 
-// Most browsers bring the graphics back within a second. Where one never does, a page that is loaded again has them: the
-// address holds what is shown, and what was chosen is kept. A kiosk's address names no step, and a lesson from a file has
-// no address.
+// Most browsers bring the graphics back within a second. Where one never does, a page that is loaded again has them:
+// the address holds what is shown, and what was chosen is kept. A kiosk's address names no step, and a lesson from a
+// file has no address.
 void Page::offer_way_back() {
   constexpr int patience = 180;  // frames: 3 s, of a tab that is in sight
   const bool was_offered = frames_without_graphics_ >= patience;

@@ -146,9 +146,11 @@ function showOne(control, isItem) {
     shown.set(control.id, made);
   }
   // In the place of one dialog there may be another one, as of a lesson's steps.
-  const changing = control.id === "lesson" ? control.parts[0].words : control.kind === "dialog" && control.words;
-  made.isNew ||= changing !== made.changing;
-  made.changing = changing;
+  const changing =
+    control.id === "lesson" ? control.words + control.parts[0].words : control.kind === "dialog" && control.words;
+  const language = document.documentElement.lang;
+  made.isNew ||= changing !== made.changing && made.language === language;
+  Object.assign(made, { changing, language });
   if (made.list) made.whenGone = control.about;
   setAttribute(made.main, "lang", control.language);
   if (toldKinds.includes(control.kind) && made.name.textContent !== control.words) news.push(control);
@@ -177,7 +179,7 @@ function showOne(control, isItem) {
   return made.outer;
 }
 
-// Elements that stay are never moved: controls come and go, but never change places.
+// Within one parent, elements that stay are never moved. A dialog takes over the groups of its folded list.
 function fill(parent, controls, areItems) {
   const wanted = controls.map((control) => showOne(control, areItems));
   for (const node of [...parent.children]) if (!wanted.includes(node)) node.remove();
@@ -188,8 +190,8 @@ function fill(parent, controls, areItems) {
 
 let opener = stage;  // what had the focus when the dialog was opened
 
-// Where the focus goes when its element has gone: from a dialog to what has opened it, else to the heading of what stood
-// round it. What is folded takes no focus.
+// Where the focus goes when its element has gone: from a dialog to what has opened it, else to the heading of what
+// stood round it. What is folded takes no focus.
 function keepFocus(focused, round) {
   if (!focused || panel.contains(document.activeElement)) return;
   if (round.some((each) => each.id === "control-dialog" && !each.isConnected)) {
