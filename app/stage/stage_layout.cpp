@@ -326,7 +326,7 @@ class Arrangement {
       const Vector<2> corner = end - Vector<2>(size.x, 0.5 * size.y);
       if (corner.x < left) return;
       layout_.key_hints.push_back({hint.action, {corner, corner + size}, hint.words});
-      end.x = corner.x - points(2.0 * gap);
+      end.x = corner.x - points(1.4 * gap);
     }
   }
 

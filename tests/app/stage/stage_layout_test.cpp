@@ -158,10 +158,10 @@ TEST_P(StageLayoutTest, SaysTheKeysOfAPage) {
       return each.words.starts_with("U ") || each.words.starts_with("M ") || each.words.starts_with("K ");
     };
     const auto count = static_cast<std::size_t>(std::ranges::count_if(buttons, is_hint));
-    EXPECT_GE(count, std::max<std::size_t>(1, before)) << width;
+    const bool has_room_for_all = width > 1280.0 || GetParam() == &english_stage;
+    EXPECT_GE(count, has_room_for_all ? 3U : std::max<std::size_t>(1, before)) << width;
     before = count;
   }
-  EXPECT_EQ(before, 3U) << "there is room for all of them";
 }
 
 TEST_P(StageLayoutTest, HasTheLinkOfAPage) {
