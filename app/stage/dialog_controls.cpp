@@ -24,8 +24,6 @@ namespace {
 
 using Kind = StageControlKind;
 
-constexpr std::string_view english = "en";
-
 // Does something, and closes the dialog.
 void add_closing_button(const ControlSource& source, ControlParts& parts, std::string id, std::string_view words,
                         const Action& action) {
@@ -97,13 +95,13 @@ void add_palette(const ControlSource& source, ControlParts& parts) {
 // In English, as all that the picture says of devices there.
 void add_device_status(const ControlSource& source, ControlParts& parts) {
   parts.push_back(text_control("device-status", Kind::status, why_no_readiness(source.loop)));
-  parts.back().language = english;
+  parts.back().language = english_stage.code;
 }
 
 void add_scenes(const ControlSource& source, ControlParts& parts) {
   if (const std::string& problem = source.session.form.problem; !problem.empty()) {
     parts.push_back(text_control("open-problem", Kind::alert, problem));
-    parts.back().language = english;
+    parts.back().language = english_stage.code;
   }
   for (PaletteEntry& entry : palette_catalog(source.session, source.loop)) {
     const auto* const opens = std::get_if<OpenScene>(&entry.action);

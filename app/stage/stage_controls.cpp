@@ -55,6 +55,10 @@ std::string value_words(const ControlSource& source, bool is_hidden, const std::
   return fmt::format("{}: {} {}", words, write(*number), unit);
 }
 
+double wall_degrees(const Settings& settings) {
+  return degrees_per_radian * std::remainder(settings.wall_normal_angle, 2.0 * std::numbers::pi);
+}
+
 // Where a key turns them, nothing else tells how far.
 void add_angles(const ControlSource& source, ControlParts& parts) {
   const StageLanguage::Controls& all = source.language.controls;
@@ -65,8 +69,8 @@ void add_angles(const ControlSource& source, ControlParts& parts) {
                      filled(all.motor_value, motor_direction_words(settings.actuated_angle, source.language))));
   }
   if (settings.general.constraint == ConstraintKind::plane) {
-    const double wall_deg = degrees_per_radian * std::remainder(settings.wall_normal_angle, 2.0 * std::numbers::pi);
-    parts.push_back(text_control("value-wall", Kind::told, filled(all.wall_value, decimal_text(wall_deg, 0))));
+    parts.push_back(
+        text_control("value-wall", Kind::told, filled(all.wall_value, decimal_text(wall_degrees(settings), 0))));
   }
 }
 
@@ -120,7 +124,7 @@ void add_directions(const ControlSource& source, ControlParts& parts) {
   constexpr double step_deg = 5.0;
   // A motor pushes both ways along its line.
   const double motor_deg = degrees_per_radian * std::remainder(settings.actuated_angle, std::numbers::pi);
-  const double wall_deg = degrees_per_radian * std::remainder(settings.wall_normal_angle, 2.0 * std::numbers::pi);
+  const double wall_deg = wall_degrees(settings);
   const GeneralSettings& general = settings.general;
   if (general.mechanism == MechanismKind::axes) {
     parts.push_back(

@@ -21,25 +21,17 @@ EM_JS(bool, is_origin_of_page, (const char* text), {
 })
 EM_JS(char*, read_fragment, (), { return stringToNewUTF8(location.hash.slice(1)); })
 EM_JS(void, write_fragment, (const char* text), {
-  try {
-    history.replaceState(null, "", Module["addressWith"](encodeURI(UTF8ToString(text))));
-  } catch (error) {
-    // A page within another one may not; there is no address to see either.
-  }
+  Module["replaceAddress"](Module["addressWith"](encodeURI(UTF8ToString(text))));
 })
 EM_JS(void, write_lesson, (const char* name, int step), {
   const address = new URL(location.href);
-  for (const [key, value] of [["lesson", UTF8ToString(name)], ["step", step]]) {
-    if (UTF8ToString(name)) address.searchParams.set(key, value);
+  const lesson = UTF8ToString(name);
+  for (const [key, value] of [["lesson", lesson], ["step", step]]) {
+    if (lesson) address.searchParams.set(key, value);
     else address.searchParams.delete(key);
   }
   address.hash = "";
-  if (address.href === location.href) return;
-  try {
-    history.replaceState(null, "", address.href);
-  } catch (error) {
-    // A page within another one may not; there is no address to see either.
-  }
+  if (address.href !== location.href) Module["replaceAddress"](address.href);
 })
 EM_JS(void, show_link_to, (const char* text), { Module["showLink"](encodeURI(UTF8ToString(text))); })
 EM_JS(bool, has_open_dialog, (), { return document.querySelector("dialog[open]") !== null; })
