@@ -9,8 +9,6 @@
 #include <utility>
 #include <variant>
 
-#include <fmt/format.h>
-
 #include "app/stage/control_pieces.h"
 #include "app/state/device_status.h"
 #include "app/state/key_bindings.h"
@@ -59,9 +57,8 @@ void add_lessons(const ControlSource& source, ControlParts& parts) {
   const Session& session = source.session;
   if (!session.lesson_gone_through.empty()) {
     const std::size_t next = lesson_to_go_on_with(session);
-    const Lesson& lesson = *shipped_lessons().at(next);
-    const std::string title = fmt::format("{}. {}", next + 1, words_in(lesson, session.language).title);
-    parts.push_back(button_control(source, "next-lesson", filled(said.next, title), OpenLesson{lesson.name}));
+    parts.push_back(button_control(source, "next-lesson", filled(said.next, numbered_title(next, session.language)),
+                                   OpenLesson{shipped_lessons().at(next)->name}));
   }
   add_rows(lesson_list(source), parts);
   if (session.lesson_progress != LessonProgress{}) {

@@ -120,7 +120,7 @@ StageControl lesson_list(const ControlSource& source) {
   for (std::size_t i = 0; i < lessons.size(); ++i) {
     const Lesson& lesson = *lessons[i];
     const LessonWords& words = words_in(lesson, source.session.language);
-    StageControl button = button_control(source, "begin-" + lesson.name, fmt::format("{}. {}", i + 1, words.title),
+    StageControl button = button_control(source, "begin-" + lesson.name, numbered_title(i, source.session.language),
                                          OpenLesson{lesson.name});
     button.about = fmt::format("{} {}", words.about,
                                progress_words(lesson, source.session.lesson_progress, source.language.picker));

@@ -82,7 +82,6 @@ StageControl values_group(const ControlSource& source) {
   const bool hides_slide = reading.hides.numbers || reading.hides.slide;
   const bool has_two_motors = source.session.settings.active == StrategyId::full;
   const std::string_view share = has_two_motors ? all.share_of_two : all.share;
-  const bool is_too_little = reading.numbers.ghost_force.value_or(0.0) <= -least_shown_force;
   ControlParts parts;
   if (!source.session.lesson) {
     parts.push_back(text_control("value-scene", Kind::told, filled(all.scene, source.session.scene->title)));
@@ -95,9 +94,8 @@ StageControl values_group(const ControlSource& source) {
     parts.push_back(text_control(std::move(id), Kind::told,
                                  value_words(source, is_hidden, number, words, words_if_unknown, write, unit)));
   };
-  add_number("value-ghost", hides_force, reading.numbers.ghost_force,
-             is_too_little ? names.ghost_force_too_little : names.ghost_force, names.ghost_force_unknown, force_number,
-             "N");
+  add_number("value-ghost", hides_force, reading.numbers.ghost_force, names.ghost_force, names.ghost_force_unknown,
+             force_number, "N");
   add_number("value-slide", hides_slide, reading.numbers.slide, names.slide, names.slide_unknown, slide_number, "mm");
   add_number("value-share", hides_force, reading.numbers.wall_share, share, share, force_number, "N");
   return group_control("values", Kind::group, all.values, std::move(parts));

@@ -329,10 +329,7 @@ void add_numbers(const StageLayer& layer) {
   const StageNumbers numbers = stage_numbers(content.moment);
   const std::optional<double>& ghost = numbers.ghost_force;
   const StageLanguage::Numbers& all = content.language.numbers;
-  const std::string_view ghost_words = content.hides.force            ? all.ghost_force
-                                       : !ghost                       ? all.ghost_force_unknown
-                                       : *ghost <= -least_shown_force ? all.ghost_force_too_little
-                                                                      : all.ghost_force;
+  const std::string_view ghost_words = content.hides.force || ghost ? all.ghost_force : all.ghost_force_unknown;
   // What it is at a motor that turns.
   const double torque = has_joints(content.settings) ? std::abs(ghost_effort(content)) : 0.0;
   const bool tells_torque = ghost && !content.hides.force && torque >= least_shown_torque;

@@ -196,22 +196,40 @@ std::string slide_number(double metres) {
   return mm < 99.95 ? fmt::format("{:.1f}", mm) : fmt::format("{:.0f}", mm);
 }
 
+namespace {
+
+// An axis has two ends: 30° and 210° are the same.
+double degrees_of_axis(double angle) {
+  const double degrees = std::remainder(angle * degrees_per_radian, 180.0);
+  return degrees < 0.0 ? degrees + 180.0 : degrees;
+}
+
+// Empty for an axis that is neither level nor upright.
+std::string_view words_of_axis(double degrees, const StageLanguage& language) {
+  constexpr double near = 0.5;
+  if (degrees < near || degrees > 180.0 - near) return language.labels.left_and_right;
+  return std::abs(degrees - 90.0) < near ? std::string_view(language.labels.up_and_down) : "";
+}
+
+}  // namespace
+
+std::string rail_words(double actuated_angle, const StageLanguage& language) {
+  const std::string_view words = words_of_axis(degrees_of_axis(actuated_angle), language);
+  return std::string(words.empty() ? language.labels.along_rail : words);
+}
+
 std::string motor_direction_words(double actuated_angle, const StageLanguage& language) {
-  // An axis has two ends: 30° and 210° are the same.
-  double degrees = std::remainder(actuated_angle * degrees_per_radian, 180.0);
-  if (std::abs(degrees) < 0.5) return std::string(language.labels.left_and_right);
-  if (std::abs(degrees) > 89.5) return std::string(language.labels.up_and_down);
-  return filled(language.labels.at_angle, fmt::format("{:.0f}", degrees < 0.0 ? degrees + 180.0 : degrees));
+  const double degrees = degrees_of_axis(actuated_angle);
+  const std::string_view words = words_of_axis(degrees, language);
+  return words.empty() ? filled(language.labels.at_angle, fmt::format("{:.0f}", degrees)) : std::string(words);
 }
 
 std::string force_direction_words(const Vector<2>& force, const StageLanguage& language) {
   const StageLanguage::Directions& all = language.directions;
-  const double degrees = std::atan2(force.y, force.x) * degrees_per_radian;
-  constexpr double near = 0.5;
-  if (std::abs(degrees) < near) return std::string(all.right);
-  if (std::abs(degrees) > 180.0 - near) return std::string(all.left);
-  if (std::abs(std::abs(degrees) - 90.0) < near) return std::string(degrees > 0.0 ? all.up : all.down);
-  return filled(language.labels.at_angle, fmt::format("{:.0f}", degrees < 0.0 ? degrees + 360.0 : degrees));
+  const std::array ways{all.right, all.up_right,  all.up,   all.up_left,
+                        all.left,  all.down_left, all.down, all.down_right};
+  const double eighths = std::round(std::atan2(force.y, force.x) * degrees_per_radian / 45.0);
+  return std::string(ways[static_cast<std::size_t>(eighths + 8.0) % 8]);
 }
 
 }  // namespace ghostforce

@@ -47,9 +47,11 @@ StageNumbers stage_numbers(const StageMoment& moment) noexcept;
 std::string force_number(double newton);
 std::string slide_number(double metres);
 
-// "left and right", "up and down", or "at 30°".
+// "left and right", "up and down", or "along its rail", for those who see it.
+std::string rail_words(double actuated_angle, const StageLanguage& language);
+// The same, or "at 30°, counted from the right".
 std::string motor_direction_words(double actuated_angle, const StageLanguage& language);
-// "upwards".
+// The nearest of eight: "upwards", "up and to the right".
 std::string force_direction_words(const Vector<2>& force, const StageLanguage& language);
 
 }  // namespace ghostforce

@@ -230,7 +230,7 @@ void add_motor_words(const StageLayer& layer) {
   const Vector<2>& along = motors.directions[0];
   const double angle = content.settings.general.mechanism == MechanismKind::axes ? content.settings.actuated_angle
                                                                                  : std::atan2(along.y, along.x);
-  const std::string direction = motor_direction_words(angle, content.language);
+  const std::string direction = rail_words(angle, content.language);
   const bool is_one_of_two = content.motors_in_use && *content.motors_in_use != MotorsInUse::both;
   const int number = content.motors_in_use == MotorsInUse::second ? 2 : 1;
   const std::string words = trembles            ? std::string(all.motor_measures)

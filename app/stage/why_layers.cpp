@@ -1,6 +1,7 @@
 // Why?: the triangle of forces builds itself where the handle should rest: the wall's push, what one motor can give of
 // it, what nobody gives, and the excess that follows.
 #include <algorithm>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -89,6 +90,9 @@ std::vector<std::string> words_of_steps(const StageContent& content, const Force
                                     : with_number(content, words.excess, force_number(ghost), "N")};
 }
 
+// A missing part that is shorter leaves no room beside the arrows for the words of each step [points of the design].
+constexpr std::array least_missing{0.0, 100.0, 150.0, 50.0};
+
 void add_why(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
   add_stage_wall(layer);
@@ -110,9 +114,15 @@ void add_why(const StageLayer& layer) {
 
   // As long as the picture has room for.
   const double longest = std::max(glm::length(forces.push), glm::length(forces.share + forces.ghost));
-  const double per_newton = std::min(canvas.points(320.0), 0.4 * layout.size.y) / longest;
-  const auto drawn = [&](const Vector<2>& force) { return to_screen_direction(force) * per_newton; };
   const Vector<2> start = canvas.at(corner.moment.handle);
+  double per_newton = std::min(canvas.points(320.0), 0.4 * layout.size.y) / longest;
+  // Between the sentence and a tip there must be room for words.
+  for (const Vector<2>& force : {forces.push, forces.share + forces.ghost}) {
+    const double upwards = std::max(0.0, force.y);
+    const double room = std::max(start.y - layout.words_end - canvas.points(42.0), 0.2 * layout.size.y);
+    if (per_newton * upwards > room) per_newton = room / upwards;
+  }
+  const auto drawn = [&](const Vector<2>& force) { return to_screen_direction(force) * per_newton; };
   const Vector<2> push_end = start + drawn(forces.push);
   const Vector<2> share_end = start + drawn(forces.share);
   const Vector<2> ghost_end = share_end + drawn(forces.ghost);
@@ -158,12 +168,22 @@ void add_why(const StageLayer& layer) {
     // Nor does a steep triangle under the sentence.
     const bool is_steep = ghost_end.y < share_end.y && glm::length(missing) > 2.5 * glm::distance(start, share_end);
     const bool is_narrow = has_links || (from_step == 3 && is_steep);
+    // Words without room stand as near as they can.
+    const bool is_short = glm::length(missing) < canvas.points(least_missing[static_cast<std::size_t>(from_step - 1)]);
     const Vector<2> middle = 0.5 * (thing.from + thing.to);
     const std::string& said = words[static_cast<std::size_t>(from_step - 1)];
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;
+    const std::vector<std::string> lines =
+        broken_into_lines(said, (is_narrow || is_short ? 0.34 : 0.5) * layout.size.x, style, content.measure);
+    if (is_short) {
+      const Vector<2> extent = canvas.labels.extent_of(lines, style);
+      const LabelBlock block{.id = id, .extent = extent, .region = layout.room(), .wanted = middle - 0.5 * extent};
+      canvas.label(role, {.id = id, .lines = lines, .style = style, .block = block}, colour);
+      return;
+    }
     canvas.label(role,
                  {.id = id,
-                  .lines = broken_into_lines(said, (is_narrow ? 0.34 : 0.5) * layout.size.x, style, content.measure),
+                  .lines = lines,
                   .style = style,
                   .from = is_narrow ? thing.from : middle,
                   .to = is_narrow ? thing.to : middle,

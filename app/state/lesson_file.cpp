@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <system_error>
 
+#include <fmt/format.h>
+
 #include "app/base/quoted.h"
 #include "app/files/named_text.h"
 #include "app/state/lesson_reader.h"
@@ -64,6 +66,10 @@ const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons() {
     return list;
   }();
   return lessons;
+}
+
+std::string numbered_title(std::size_t shipped_lesson, std::string_view language) {
+  return fmt::format("{}. {}", shipped_lesson + 1, words_in(*shipped_lessons().at(shipped_lesson), language).title);
 }
 
 }  // namespace ghostforce

@@ -2,6 +2,7 @@
 // describes the format. Not for the servo thread.
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
@@ -17,6 +18,8 @@ namespace ghostforce {
 std::vector<std::string_view> shipped_lesson_names();
 // These lessons in the same order, read once. Immutable, any thread.
 const std::vector<std::shared_ptr<const Lesson>>& shipped_lessons();
+// "3. TITLE" of one of them, in that language.
+std::string numbered_title(std::size_t shipped_lesson, std::string_view language);
 
 // A shipped lesson or a file. Throws ReadError: wrong where there is none, or where its text is wrong; unreadable.
 Lesson load_lesson(const std::string& name_or_path);

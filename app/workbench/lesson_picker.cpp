@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <string>
 
-#include <fmt/format.h>
-
 #include "app/files/file_exchange.h"
 #include "app/stage/lesson_content.h"
 #include "app/state/lesson_file.h"
@@ -21,10 +19,6 @@ constexpr double lesson_mark_scale = 0.5;  // of lines and marks in the small pi
 constexpr float lesson_picture_width = 150.0F;
 constexpr float lesson_card_width = 456.0F;
 constexpr float beside_cards = 130.0F;  // title, a row of buttons and margins
-
-std::string numbered_title(const Session& session, std::size_t lesson) {
-  return fmt::format("{}. {}", lesson + 1, words_in(*shipped_lessons()[lesson], session.language).title);
-}
 
 void draw_reset(const PanelContext& context, const StageLanguage::Picker& words) {
   bool& asks = context.memory.form.asks_for_reset;
@@ -75,7 +69,7 @@ void draw_lessons(const PanelContext& context) {
       });
     };
     const PictureCard card{.id = static_cast<int>(i),
-                           .title = numbered_title(session, i),
+                           .title = numbered_title(i, session.language),
                            .about = words.about,
                            .remark = progress_words(lesson, session.lesson_progress, said),
                            .picture_width = lesson_picture_width,
@@ -87,7 +81,7 @@ void draw_lessons(const PanelContext& context) {
   if (!session.lesson_gone_through.empty()) {
     // One leads on to another.
     const std::size_t next = lesson_to_go_on_with(session);
-    if (ImGui::Button(filled(said.next, numbered_title(session, next)).c_str())) {
+    if (ImGui::Button(filled(said.next, numbered_title(next, session.language)).c_str())) {
       context.apply(OpenLesson{lessons[next]->name});
     }
     ImGui::SameLine();

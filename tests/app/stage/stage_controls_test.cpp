@@ -216,7 +216,7 @@ TEST_F(StageControls, MoveTheHandIntoTheWallAndAlongIt) {
 TEST_F(StageControls, TurnMotorAndWallAndRatio) {
   use("motor", 30.0);
   EXPECT_NEAR(session.settings.actuated_angle, 30.0 * radians_per_degree, 1e-12);
-  EXPECT_EQ(control("motor").about, "at 30°");
+  EXPECT_EQ(control("motor").about, "at 30°, counted from the right");
   // An angle is nothing without what it is measured from.
   for (const std::string_view id : {"motor", "wall"}) {
     EXPECT_TRUE(control(id).words.ends_with("counterclockwise from the right")) << control(id).words;
@@ -238,7 +238,7 @@ TEST_F(StageControls, LeadThroughWhyWithItsWords) {
   EXPECT_EQ(control("why-3").words, "3  no motor gives the part upwards (2.12 N): the handle slides");
   EXPECT_EQ(control("why-4").words, "4  the slide adds: ghost force 1.27 N");
   session.settings.actuated_angle = 30.0 * radians_per_degree;
-  EXPECT_TRUE(control("why-3").words.starts_with("3  no motor gives the part at 120° (2.89 N): "))
+  EXPECT_TRUE(control("why-3").words.starts_with("3  no motor gives the part up and to the left (2.89 N): "))
       << control("why-3").words;
   session.settings.active = StrategyId::anisotropic;
   session.language = "es";
@@ -357,7 +357,7 @@ TEST_F(StageControls, SayWhichSceneIsOpenedAndWhatIsClosed) {
 
 TEST_F(StageControls, SayWhereMotorAndWallPush) {
   apply(session, TurnMotorTo{0.5236});
-  EXPECT_EQ(control("value-motor").words, "the motor pushes at 30°");
+  EXPECT_EQ(control("value-motor").words, "the motor pushes at 30°, counted from the right");
   EXPECT_EQ(control("value-wall").words, "the wall pushes at 135°, counted from the right");
 }
 

@@ -226,12 +226,16 @@ TEST(StageNumbers, HaveThreeDigitsAtAnySize) {
   EXPECT_EQ(slide_number(0.1234), "123");
   EXPECT_EQ(motor_direction_words(0.0, english_stage), "left and right");
   EXPECT_EQ(motor_direction_words(-1.5707963, english_stage), "up and down");
-  EXPECT_EQ(motor_direction_words(3.6651914, english_stage), "at 30°");
+  EXPECT_EQ(motor_direction_words(3.6651914, english_stage), "at 30°, counted from the right");
   EXPECT_EQ(force_direction_words({1.0, 0.0}, english_stage), "to the right");
   EXPECT_EQ(force_direction_words({-1.0, -0.0}, english_stage), "to the left");
   EXPECT_EQ(force_direction_words({0.0, 2.0}, english_stage), "upwards");
   EXPECT_EQ(force_direction_words({0.0, -2.0}, spanish_stage), "hacia abajo");
-  EXPECT_EQ(force_direction_words({1.0, -1.0}, english_stage), "at 315°");
+  EXPECT_EQ(force_direction_words({1.0, -1.0}, english_stage), "down and to the right");
+  EXPECT_EQ(force_direction_words({-1.0, -0.5}, english_stage), "down and to the left");
+  EXPECT_EQ(force_direction_words({-1.0, 0.4}, english_stage), "to the left");
+  EXPECT_EQ(rail_words(3.6651914, english_stage), "along its rail");
+  EXPECT_EQ(rail_words(3.1415927, english_stage), "left and right");
 }
 
 }  // namespace

@@ -230,7 +230,7 @@ TEST_P(Stage, SaysEverythingInTheUsualPictures) {
 // Where the motor pushes nearly straight at the wall, the missing part is too short for its words to stand beside it.
 TEST_P(Stage, SaysAllStepsOfWhyInTheUsualPictures) {
   for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
-    for (int degrees = 0; degrees < 60; degrees += 5) {
+    for (int degrees = 0; degrees < 180; degrees += 5) {
       for (const StrategyId id : {StrategyId::naive, StrategyId::anisotropic}) {
         Settings settings = wall45(id);
         settings.actuated_angle = degrees / degrees_per_radian;
