@@ -9,6 +9,7 @@
 #include "app/picture/layers.h"
 #include "app/picture/text.h"
 #include "core/conventions.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {

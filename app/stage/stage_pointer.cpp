@@ -13,6 +13,7 @@
 #include "app/state/stage_action.h"
 #include "app/widgets/controls.h"
 #include "app/widgets/focus.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {

@@ -12,6 +12,7 @@
 #include "app/state/lesson_guide.h"
 #include "app/state/stage_view.h"
 #include "app/state/target.h"
+#include "core/scene_shape.h"
 
 namespace ghostforce {
 namespace {

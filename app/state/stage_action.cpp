@@ -74,7 +74,7 @@ std::optional<Action> action_of_button(const StageAction& button, const MotorRep
     std::optional<Action> operator()(StrategyId id) const { return ChooseStrategy{id}; }
     std::optional<Action> operator()(StageMode mode) const { return ToggleMode{mode}; }
     std::optional<Action> operator()(Face face) const { return ShowFace{face}; }
-    std::optional<Action> operator()(MotorsInUse motors) const { return UseMotors{motors}; }
+    std::optional<Action> operator()(MotorsInUse in_use) const { return UseMotors{in_use}; }
     std::optional<Action> operator()(StageAnswer answer) const {
       return AnswerLesson{static_cast<std::size_t>(answer)};
     }

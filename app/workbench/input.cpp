@@ -8,6 +8,7 @@
 
 #include "app/state/front_keys.h"
 #include "app/widgets/controls.h"
+#include "app/workbench/motor_control.h"
 #include "app/workbench/panel_catalog.h"
 
 namespace ghostforce {
