@@ -188,7 +188,8 @@ const std::vector<LabelOption>& LabelSearch::options() {
 }
 
 bool can_stand_together(const PlacedLabel& a, const PlacedLabel& b, double air) noexcept {
-  if (overlap(a.box.grown(air), b.box) > 0.0) return false;
+  // Beside each other they would be read as one line.
+  if (overlap(a.box.grown(Vector<2>(3.0 * air, air)), b.box) > 0.0) return false;
   const auto crosses = [air](const std::optional<ScreenPiece>& leader, const ScreenBox& box) {
     if (!leader) return false;
     ScreenPiece piece = *leader;

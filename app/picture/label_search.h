@@ -26,6 +26,7 @@ struct LabelBlock {
   Vector<2> wanted;                   // of its upper left corner
   std::optional<ScreenPiece> edge{};  // it must lie to the right of this, looking along it
   bool may_cover = false;             // what is to be kept clear if possible, where there is no other place
+  std::optional<Vector<2>> named{};   // what the words name: a line leads there where they stand far from it
 };
 
 // Words that are to stand beside a mark.
@@ -42,6 +43,7 @@ struct LabelRequest {
   double ambiguity_weight = 1.0;      // how bad it is to stand nearer to something else, against the usual
   std::optional<LabelBlock> block{};  // instead of all that: where these words are to stand
   bool may_cover = false;             // what is long and thin, where there is no better place
+  bool is_to_come = false;            // its place is kept, so that nothing else moves once it is there
 };
 
 // A place relative to what is named, with which it moves.

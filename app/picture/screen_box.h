@@ -20,7 +20,8 @@ struct ScreenBox {
     least = glm::min(least, point);
     most = glm::max(most, point);
   }
-  ScreenBox grown(double by) const noexcept { return {least - Vector<2>(by), most + Vector<2>(by)}; }
+  ScreenBox grown(double by) const noexcept { return grown(Vector<2>(by)); }
+  ScreenBox grown(const Vector<2>& by) const noexcept { return {least - by, most + by}; }
 };
 
 // The area that both cover.

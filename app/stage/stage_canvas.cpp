@@ -79,7 +79,7 @@ void StageCanvas::text(Role role, const Vector<2>& corner, const std::vector<std
 void StageCanvas::add_labels() {
   const auto found = labels.place(requests);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i] || found[i]->strength <= 0.0) continue;
+    if (requests[i].is_to_come || !found[i] || found[i]->strength <= 0.0) continue;
     const PlacedLabel& label = *found[i];
     const TextStyle& style = requests[i].style;
     const Colour colour = faded(colours_of_labels[i], label.strength);

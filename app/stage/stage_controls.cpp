@@ -13,6 +13,7 @@
 #include "app/picture/text.h"
 #include "app/stage/control_pieces.h"
 #include "app/state/faces_and_modes.h"
+#include "app/state/mode_changes.h"
 #include "app/state/permit.h"
 #include "app/state/stage_action.h"
 #include "app/state/stage_language.h"
@@ -159,7 +160,7 @@ void add_landscape(const ControlSource& source, ControlParts& parts) {
   if (session.stage.mode != StageMode::landscape || has_joints(session.settings)) return;
   const StageLanguage::Controls& all = source.language.controls;
   const double dial =
-      session.stage.landscape_dial.value_or(session.settings.active == StrategyId::anisotropic ? 1.0 : 0.0);
+      dragged_landscape_dial(session).value_or(session.settings.active == StrategyId::anisotropic ? 1.0 : 0.0);
   parts.push_back(range_control(source, "landscape-dial", all.landscape_dial, fmt::format("{:.0f} %", 100.0 * dial),
                                 {.value = 100.0 * dial, .least = 0.0, .greatest = 100.0, .step = 5.0},
                                 [](double percent) { return std::vector<Action>{TurnLandscapeDial{0.01 * percent}}; }));

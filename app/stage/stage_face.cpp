@@ -343,7 +343,7 @@ StageContent StageFace::content_of(const Session& session, const StageFrame& fra
                    .heads_for = shown.settings.active},
       .guess = guess_.guess(session),
       .why_step = session.stage.why_step,
-      .landscape_dial = session.stage.landscape_dial.value_or(blend.cure),
+      .landscape_dial = dragged_landscape_dial(session).value_or(blend.cure),
       .looks_back_to_s = session.stage.looks_back_to_s,
       .warning = warning_of(session, frame.loop),
       .remark = remark_of(session, shown.moment, frame),

@@ -20,6 +20,14 @@ namespace {
 
 constexpr double hand_room = 30.0;  // of a fist round the goal [points of the design]
 
+// In the last degree, where nobody sees it, the share falls from its greatest to none.
+LandscapePoint ring_point_under(const LandscapeLayout& layout, const Vector<2>& pointer) {
+  constexpr double last_angle = 89.0 / degrees_per_radian;
+  LandscapePoint point = landscape_point_under(layout, pointer);
+  point.angle = std::min(point.angle, last_angle);
+  return point;
+}
+
 void press(const StageAction& button, const ActionSink& apply, const MotorReport& motors) {
   if (const std::optional<Action> action = action_of_button(button, motors)) apply(*action);
 }
@@ -286,7 +294,7 @@ std::optional<Action> StagePointer::drag(const Session& session, const Scene& sc
     case Hold::picture:
       return MoveView{-to_screen_direction(pointer - last_) / picture.pane.camera.points_per_metre};
     case Hold::landscape_ring:
-      if (picture.landscape) return GoToLandscapePoint{landscape_point_under(*picture.landscape, pointer)};
+      if (picture.landscape) return GoToLandscapePoint{ring_point_under(*picture.landscape, pointer)};
       break;
     case Hold::landscape_dial:
       if (picture.landscape) return TurnLandscapeDial{dial_under(*picture.landscape, pointer)};

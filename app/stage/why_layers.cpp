@@ -129,29 +129,36 @@ void add_why(const StageLayer& layer) {
   const Colour dark = mix(theme.wall_edge, theme.background, 0.08);
   const Colour red = theme.strategy[index_of(StrategyId::naive)];
   const double body = canvas.points(12.0);
-  const auto add_arrow = [&](Role role, const Vector<2>& from, const Vector<2>& to, Colour fill, Colour rim,
-                             bool is_hatched) {
+  const int step = last_step(content);
+  // What comes with a later step has its place already: nothing moves when it is there.
+  const auto is_there = [&](int from_step) { return step >= from_step; };
+  const auto add_arrow = [&](int from_step, Role role, const Vector<2>& from, const Vector<2>& to, Colour fill,
+                             Colour rim, bool is_hatched) {
     if (glm::distance(from, to) < canvas.points(4.0)) return;
+    canvas.labels.keep_clear(from, to, 1.3 * body);
+    if (!is_there(from_step)) return;
     canvas.marks.push_back({role,
                             {},
                             Arrow{to_world(canvas.camera, from), to_world(canvas.camera, to), body, fill, rim,
                                   canvas.width(2.5), Vector<2>(0.0), true, is_hatched}});
-    canvas.labels.keep_clear(from, to, 1.3 * body);
   };
-  const int step = last_step(content);
-  if (step >= 1) add_arrow(Role::force, start, push_end, dark, dark, false);
-  if (step >= 2) add_arrow(Role::wall_share, start, share_end, dark, dark, false);
-  if (step >= 3 && glm::distance(forces.full, forces.handle) > 0.0) {
-    const Vector<2> full = canvas.at(forces.full);
-    canvas.line(Role::expected_rest, full, start, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
-    canvas.ring(Role::expected_rest, full, canvas.points(handle_radius), canvas.width(2.5), theme.faint_text);
-    canvas.labels.keep_clear(full, full, canvas.points(handle_radius));
-  }
-  if (step >= 3) {
-    canvas.line(Role::force, push_end, share_end, canvas.width(3.5), theme.faint_text, {3.0, 8.0, 3.0, 8.0});
+  add_arrow(1, Role::force, start, push_end, dark, dark, false);
+  if (content.settings.active != StrategyId::full) {
+    add_arrow(2, Role::wall_share, start, share_end, dark, dark, false);
+    if (glm::distance(forces.full, forces.handle) > 0.0) {
+      const Vector<2> full = canvas.at(forces.full);
+      canvas.labels.keep_clear(full, full, canvas.points(handle_radius));
+      if (is_there(3)) {
+        canvas.line(Role::expected_rest, full, start, canvas.width(2.0), theme.faint_text, {2.0, 6.0, 2.0, 6.0});
+        canvas.ring(Role::expected_rest, full, canvas.points(handle_radius), canvas.width(2.5), theme.faint_text);
+      }
+    }
     canvas.labels.keep_clear(push_end, share_end, canvas.width(2.0));
+    if (is_there(3)) {
+      canvas.line(Role::force, push_end, share_end, canvas.width(3.5), theme.faint_text, {3.0, 8.0, 3.0, 8.0});
+    }
+    add_arrow(4, Role::ghost_force, share_end, ghost_end, theme.background, red, true);
   }
-  if (step >= 4) add_arrow(Role::ghost_force, share_end, ghost_end, theme.background, red, true);
   canvas.marks.push_back({Role::device, id,
                           Marker{corner.moment.handle, strategy_style(id).shape, canvas.points(handle_radius),
                                  theme.strategy[index_of(id)], theme.background, canvas.width(4.0)}});
@@ -164,7 +171,6 @@ void add_why(const StageLayer& layer) {
   const bool has_links = is_general(content.settings);
   const auto say = [&](int from_step, StageLabel::Id id, Role role, const StageEdge& thing, const Vector<2>& side,
                        Colour colour, bool is_bold) {
-    if (step < from_step) return;
     // Nor does a steep triangle under the sentence.
     const bool is_steep = ghost_end.y < share_end.y && glm::length(missing) > 2.5 * glm::distance(start, share_end);
     const bool is_narrow = has_links || (from_step == 3 && is_steep);
@@ -172,13 +178,18 @@ void add_why(const StageLayer& layer) {
     const bool is_short = glm::length(missing) < canvas.points(least_missing[static_cast<std::size_t>(from_step - 1)]);
     const Vector<2> middle = 0.5 * (thing.from + thing.to);
     const std::string& said = words[static_cast<std::size_t>(from_step - 1)];
+    if (said.empty() || (from_step > 1 && content.settings.active == StrategyId::full)) return;
     const TextStyle& style = is_bold ? layout.letters.bold_words : layout.letters.words;
     const std::vector<std::string> lines =
         broken_into_lines(said, (is_narrow || is_short ? 0.34 : 0.5) * layout.size.x, style, content.measure);
     if (is_short) {
       const Vector<2> extent = canvas.labels.extent_of(lines, style);
-      const LabelBlock block{.id = id, .extent = extent, .region = layout.room(), .wanted = middle - 0.5 * extent};
-      canvas.label(role, {.id = id, .lines = lines, .style = style, .block = block}, colour);
+      ScreenBox region = layout.room();
+      region.least.y = layout.sentence_box.most.y + canvas.points(6.0);
+      const LabelBlock block{
+          .id = id, .extent = extent, .region = region, .wanted = middle - 0.5 * extent, .named = middle};
+      canvas.label(role, {.id = id, .lines = lines, .style = style, .block = block, .is_to_come = !is_there(from_step)},
+                   colour);
       return;
     }
     canvas.label(role,
@@ -189,7 +200,8 @@ void add_why(const StageLayer& layer) {
                   .to = is_narrow ? thing.to : middle,
                   .clearance = canvas.points(14.0),
                   .direction = side,
-                  .may_cover = true},
+                  .may_cover = true,
+                  .is_to_come = !is_there(from_step)},
                  colour);
   };
   say(1, StageLabel::hand, Role::force, {push_end, push_end}, out, theme.text, false);

@@ -121,7 +121,7 @@ void act(Session& session, const ChooseByNumber& action) {
 // The lit button is the nearer end's.
 void act(Session& session, const TurnLandscapeDial& action) {
   session.stage.landscape_dial = action.cure;
-  session.settings.active = action.cure < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
+  session.settings.active = strategy_of_dial(action.cure);
 }
 
 // --- Time ---
@@ -292,7 +292,9 @@ void act(Session& session, const Escape&) {
   if (session.motors_may_push) return;
   const bool was_black = std::exchange(session.stage.is_black, false);
   const bool was_menu = std::exchange(session.stage.shows_menu, false);
-  const bool closes_more = was_black || was_menu || session.dialog != Dialog::none || session.notice;
+  // News go by themselves, and need no Esc of their own.
+  const bool was_problem = session.notice && session.notice->is_problem;
+  const bool closes_more = was_black || was_menu || session.dialog != Dialog::none || was_problem;
   session.dialog = Dialog::none;
   session.notice.reset();
   if (closes_more) return;

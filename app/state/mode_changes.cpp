@@ -43,6 +43,15 @@ void choose_strategy(Session& session, StrategyId id, bool slowly) {
   session.stage.landscape_dial.reset();
 }
 
+StrategyId strategy_of_dial(double dial) noexcept {
+  return dial < 0.5 ? StrategyId::naive : StrategyId::anisotropic;
+}
+
+std::optional<double> dragged_landscape_dial(const Session& session) noexcept {
+  const std::optional<double>& dial = session.stage.landscape_dial;
+  return dial && strategy_of_dial(*dial) == session.settings.active ? dial : std::nullopt;
+}
+
 void begin_circle_test(Session& session) {
   if (session.circle_test.is_on) {
     session.wanted_input.reset();  // which would end it, where one lesson follows another

@@ -9,6 +9,7 @@
 #include "app/picture/glossary.h"
 #include "app/shell/preferences.h"
 #include "app/state/live_table.h"
+#include "app/state/mode_changes.h"
 #include "app/state/undo.h"
 #include "app/workbench/bars.h"
 #include "tests/app/shell/driven_window.h"
@@ -272,6 +273,35 @@ TEST_F(FindingThings, OnTheStageUndoSpeaksAsTheStageDoes) {
   act(Undo{});
   frames(2);
   EXPECT_EQ(notice(), "Deshecho: el lugar de la mano y la dirección del motor.");
+}
+
+TEST_F(FindingThings, UndoTakesTheLandscapesDialBackToo) {
+  act(ShowFace{Face::stage});
+  act(ChooseStrategy{StrategyId::naive});
+  act(ToggleMode{StageMode::landscape});
+  frames(2);
+  act(TurnLandscapeDial{0.9});
+  frames(2);
+  EXPECT_EQ(dragged_landscape_dial(session()), 0.9);
+  act(Undo{});
+  frames(2);
+  EXPECT_EQ(session().settings.active, StrategyId::naive);
+  EXPECT_FALSE(dragged_landscape_dial(session()));
+  act(Redo{});
+  frames(2);
+  EXPECT_EQ(dragged_landscape_dial(session()), 0.9);
+}
+
+// News, such as what was undone, go by themselves.
+TEST_F(FindingThings, EscapeLeavesAModeThoughThereAreNews) {
+  act(ShowFace{Face::stage});
+  for (const bool is_problem : {false, true}) {
+    act(ToggleMode{StageMode::why});
+    session().notice = Notice{"something", is_problem};
+    act(Escape{});
+    EXPECT_FALSE(session().notice);
+    EXPECT_EQ(session().stage.mode, is_problem ? StageMode::why : StageMode::none);
+  }
 }
 
 TEST_F(FindingThings, ButtonsStepBackAndOnAndLeadToTheStage) {

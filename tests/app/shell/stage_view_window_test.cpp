@@ -4,6 +4,8 @@
 
 #include <glad/gl.h>
 
+#include "app/stage/landscape_layout.h"
+#include "app/state/landscape.h"
 #include "app/state/stage_view.h"
 #include "tests/app/shell/driven_window.h"
 #include "tests/app/stage/stage_faults.h"
@@ -168,6 +170,21 @@ TEST_F(StageViewWindow, IsAsBeforeOnceADragIsUndone) {
   press(key::z, modifier::control);
   frames(120);
   EXPECT_EQ(session().stage_shown, first);
+}
+
+// In the last degree the share falls from its greatest to none, which nobody sees on the map.
+TEST_F(StageViewWindow, TheRingOfTheMapStopsBeforeTheMotorPushesAlongTheWall) {
+  press(key::l);
+  frames(60);
+  const LandscapeLayout& map = *picture().landscape;
+  const Vector<2> corner(map.map.most.x, map.map.least.y);
+  press_at(ring_at(map, landscape_point(session().settings)));
+  point_at(corner);
+  frames(3);
+  release();
+  frames(60);
+  EXPECT_NEAR(landscape_point(session().settings).angle * degrees_per_radian, 89.0, 1e-6);
+  EXPECT_GT(*application_->stage_reading().numbers.ghost_force, 1.0);
 }
 
 TEST_F(StageViewWindow, KeepsTheHandAboveTheRibbonAndIsAsBeforeWithoutIt) {

@@ -227,28 +227,6 @@ TEST_P(Stage, SaysEverythingInTheUsualPictures) {
   }
 }
 
-// Where the motor pushes nearly straight at the wall, the missing part is too short for its words to stand beside it.
-TEST_P(Stage, SaysAllStepsOfWhyInTheUsualPictures) {
-  for (const Vector<2>& size : {Vector<2>(1024.0, 640.0), Vector<2>(1280.0, 720.0), Vector<2>(1920.0, 1080.0)}) {
-    for (int degrees = 0; degrees < 180; degrees += 5) {
-      for (const StrategyId id : {StrategyId::naive, StrategyId::anisotropic}) {
-        Settings settings = wall45(id);
-        settings.actuated_angle = degrees / degrees_per_radian;
-        StageCase shown = case_at(settings, wall45_goal);
-        shown.size = size;
-        shown.mode = StageMode::why;
-        shown.why_step = 4;
-        const Drawn drawn(shown.compose());
-        for (const char* const number : {"1  ", "2  ", "3  ", "4  "}) {
-          EXPECT_TRUE(std::ranges::any_of(drawn.extents.labels,
-                                          [&](const LabelExtent& label) { return label.words.starts_with(number); }))
-              << number << degrees << "° " << words_for(shown);
-        }
-      }
-    }
-  }
-}
-
 // Of a piece of the force, so far as it is seen.
 double arrow_length(const Drawn& drawn, Role role) {
   double length = 0.0;
