@@ -107,6 +107,11 @@ struct LinkagePose {
   std::size_t link_count = 0;
 };
 
+// Of a pose that is not empty [m].
+inline Vector<2> handle_of(const LinkagePose& pose) noexcept {
+  return pose.joints[pose.joint_count - 1];
+}
+
 // Empty: the handle cannot be there. A singular pose is drawn like any other.
 std::optional<LinkagePose> pose_at(const Mechanism& mechanism, const Vector<2>& q) noexcept;
 

@@ -264,10 +264,7 @@ void Application::update(double interval_s) {
   if (session_.notice) {
     notice_count_ = notice_count();
     session_.notice->age_s += interval_s;
-    if (!session_.notice->is_problem && session_.notice->age_s > news_last_s) {
-      session_.notice.reset();
-      screen_.keep_place_of_notice();
-    }
+    if (!session_.notice->is_problem && session_.notice->age_s > news_last_s) session_.notice.reset();
   }
   clip_saving_.poll(session_);
   if (std::optional<double>& age_s = session_.dial_turned_s; age_s && (*age_s += interval_s) > dial_words_last_s)

@@ -55,10 +55,7 @@ void Screen::take_keys(const Session& session, const ActionSink& apply) {
 
 void Screen::draw(Session& session, const ActionSink& apply, const ShownMoment& moment, const History& history,
                   const LoopReading& loop, double interval_s) {
-  if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) {  // minimised
-    keeps_notice_place_ = false;
-    return;
-  }
+  if (window_.pixel_width() <= 0 || window_.pixel_height() <= 0) return;  // minimised
   // The style must not change within a frame.
   apply_appearance(session);
   const Face face = session.face;
@@ -94,12 +91,10 @@ void Screen::prepare_for_audience(const Session& session, const ShownMoment& mom
 }
 
 void Screen::advance(const Session& session, double interval_s) noexcept {
-  notice_place_s_ = std::max(0.0, notice_place_s_ - interval_s);
   if (session.face == Face::stage) stage_.advance(interval_s);
 }
 
 bool Screen::is_moving(const Session& session) const noexcept {
-  if (keeps_notice_place_ && notice_place_s_ == 0.0) return true;
   if (audience_ && audience_->labels.is_moving()) return true;
   return Keyboard::is_waiting(window_) || (session.face == Face::stage ? stage_.is_moving() : workbench_.is_moving());
 }
@@ -180,8 +175,6 @@ void Screen::draw_everything(Session& session, const ActionSink& apply, const Sh
   // Fit and Reset stay free: where the window is narrow, a notice is beside them.
   if (const auto& tools = stage_.picture().tools; is_on_stage && tools) room.least.x = tools->most.x;
   draw_notice(context, room);
-  keeps_notice_place_ = !session.notice && notice_place_s_ > 0.0;
-  if (keeps_notice_place_) block_place_of_notice();
   const std::optional<Vector<2>> hand =
       is_on_stage ? std::optional(to_screen(stage_.picture().pane.camera, session.goal)) : std::nullopt;
   draw_dialog(context, hand);

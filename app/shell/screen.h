@@ -42,9 +42,6 @@ class Screen {
   // The next frame would show something else, though nothing that draw() is given has changed.
   bool is_moving(const Session& session) const noexcept;
 
-  // News has just gone by itself. A press that comes a moment later was meant for its button, and does nothing.
-  void keep_place_of_notice() noexcept { notice_place_s_ = notice_place_lasts_s; }
-
   // From now on each frame shows the stage in that window, too; null: in none.
   void show_to(std::unique_ptr<AudienceWindow> audience);
   // Somebody has closed it.
@@ -115,9 +112,6 @@ class Screen {
   Theme styled_theme_{};
   double scale_ = 1.0;         // UI scale, with the display's
   float styled_scale_ = 0.0F;  // of Dear ImGui; over the stage it grows with the window
-  static constexpr double notice_place_lasts_s = 1.0;
-  double notice_place_s_ = 0.0;      // for so long the place of a notice that has gone is kept
-  bool keeps_notice_place_ = false;  // in the last frame
   std::vector<Pane> panes_;
   ImVec2 scene_corner_{0.0F, 0.0F};
   Vector<2> scene_size_{1.0};

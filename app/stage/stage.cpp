@@ -22,8 +22,7 @@ void add_unknown_handle(const StageLayer& layer) {
   if (!content.linkage) return;
   add_mechanism(layer);
   const Colour own = stage_colour(content.moment, content.theme.strategy);
-  canvas.disc(Role::linkage, canvas.at(content.linkage->joints[content.linkage->joint_count - 1]),
-              canvas.points(handle_radius), own, own, 0.0);
+  canvas.disc(Role::linkage, canvas.at(handle_of(*content.linkage)), canvas.points(handle_radius), own, own, 0.0);
 }
 
 std::string unknown_handle_sentence(const StageContent& content) {

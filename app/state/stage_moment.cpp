@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "core/general_tick.h"
 #include "core/scene_shape.h"
 
 namespace ghostforce {
@@ -30,8 +31,11 @@ StageMoment moment_of_goal(const Settings& settings, const Vector<2>& goal) noex
   return moment;
 }
 
-bool is_outside(const Settings& settings, const Vector<2>& handle) noexcept {
-  return is_general(settings) && motor_reach(settings, handle).count == 0;
+// The loop lets a simulated handle run on where no motor reaches it; links would hold it at their ends.
+void look_whether_outside(const Settings& settings, StageMoment& moment) noexcept {
+  moment.is_outside = is_general(settings) && motor_reach(settings, moment.handle).count == 0;
+  if (!moment.is_outside || moment.is_measured) return;
+  moment.handle = handle_of(nearest_pose(mechanism_of(settings), moment.handle));
 }
 
 }  // namespace
@@ -50,7 +54,7 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   // In free space the sampled loop has a force of its own, which is no wall's.
   if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;
   moment.slide = now.proxy_drift;
-  moment.is_outside = is_outside(settings, moment.handle);
+  look_whether_outside(settings, moment);
   moment.has_rest = !is_general(settings) || rest_of(settings.active, settings, goal).has_value();
   return moment;
 }
@@ -71,6 +75,7 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
     moment.has_rest = false;
     moment.handle = moment.expected_rest;
     moment.proxy = moment.expected_contact;
+    look_whether_outside(settings, moment);
     return moment;
   }
   const PredictedEquilibrium& rest = *found;
@@ -80,7 +85,7 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
   moment.wall_share = rest.at.force - rest.ghost_force;
   moment.ghost_force = rest.ghost_force;
   moment.slide = rest.proxy_drift;
-  moment.is_outside = is_outside(settings, moment.handle);
+  look_whether_outside(settings, moment);
   return moment;
 }
 

@@ -168,38 +168,32 @@ void draw_notice(const PanelContext& context, const ScreenBox& scene) {
   ImGui::PushStyleColor(ImGuiCol_Border,
                         unpacked(session.notice->is_problem ? context.theme.problem : context.theme.accent));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, unpacked(context.theme.panel_field));
+  // News go by themselves: what is below them can be taken hold of meanwhile.
+  const bool is_problem = session.notice->is_problem;
   ImGui::Begin(notice_window, nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_AlwaysAutoResize |
-                   ImGuiWindowFlags_NoFocusOnAppearing);
+                   ImGuiWindowFlags_NoFocusOnAppearing | (is_problem ? 0 : ImGuiWindowFlags_NoInputs));
   // On the stage, letters are made for a room.
   constexpr float stage_letters = 1.35F;
   ImGui::PushFont(nullptr, ImGui::GetStyle().FontSizeBase * (session.face == Face::stage ? stage_letters : 1.0F));
-  if (session.notice->is_problem) text_in(context.fonts.bold, stage_language(session.language).notices.problem);
+  if (is_problem) text_in(context.fonts.bold, stage_language(session.language).notices.problem);
   const std::string& words = session.notice->words;
   const float wrap = std::min(width - 32.0F * scale, ImGui::CalcTextSize(words.c_str()).x + 4.0F * scale);
   wrapped_text(words, ImGui::GetCursorPosX() + wrap);
-  const ImVec2 whole = ImGui::GetIO().DisplaySize;
-  const std::string_view close = stage_language(session.language).notices.close;
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, button_padding(whole));
-  const bool enough = is_phone(whole) ? ImGui::Button(close.data()) : ImGui::SmallButton(close.data());
-  ImGui::PopStyleVar();
+  bool enough = false;
+  if (is_problem) {
+    const ImVec2 whole = ImGui::GetIO().DisplaySize;
+    const std::string_view close = stage_language(session.language).notices.close;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, button_padding(whole));
+    enough = is_phone(whole) ? ImGui::Button(close.data()) : ImGui::SmallButton(close.data());
+    ImGui::PopStyleVar();
+  }
   ImGui::PopFont();
   ImGui::End();
   ImGui::PopStyleColor(2);
   ImGui::PopStyleVar(2);
   if (enough) context.apply(CloseNotice{});
-}
-
-void block_place_of_notice() {
-  const ImGuiWindow* const notice = ImGui::FindWindowByName(notice_window);
-  if (notice == nullptr) return;
-  ImGui::SetNextWindowPos(notice->Pos);
-  ImGui::SetNextWindowSize(notice->Size);
-  ImGui::Begin(notice_window, nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                   ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::End();
 }
 
 // What an author of shaders needs to see: what the driver said, and which line it meant.

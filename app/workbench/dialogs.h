@@ -29,9 +29,6 @@ void scroll(Dialog dialog, const ScrollStep& step);
 // What there is to tell, if anything, at the top of the scene. It covers no button.
 void draw_notice(const PanelContext& context, const ScreenBox& scene);
 
-// Where the last notice was, nothing is seen, and no press comes through to the scene.
-void block_place_of_notice();
-
 // Why the shaders in the watched folder are not in use, if they are not: the driver's log and the numbered source.
 void draw_shader_problem(const PanelContext& context, const ScreenBox& scene);
 

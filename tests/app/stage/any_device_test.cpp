@@ -222,6 +222,20 @@ TEST(AnyDeviceStage, SaysThatTheDeviceDoesNotReachThere) {
 }
 
 // A place of its own: it does not look for another one while something is dragged.
+// However far the loop lets it run.
+TEST(AnyDeviceStage, TheHandleStaysAtTheEndOfItsLinks) {
+  for (const char* const name : {"arm", "pantograph"}) {
+    const Settings settings = load_scene(name).settings;
+    Snapshot snapshot;
+    for (auto& each : snapshot.strategies) each.device = {0.7, -0.4};
+    const StageMoment live = stage_moment(settings, snapshot, {0.7, -0.4});
+    EXPECT_TRUE(live.is_outside);
+    EXPECT_TRUE(pose_at(mechanism_of(settings), live.handle)) << name;
+    const StageMoment at_rest = stage_moment_at_rest(settings, {0.7, -0.4});
+    EXPECT_TRUE(pose_at(mechanism_of(settings), at_rest.handle)) << name;
+  }
+}
+
 TEST(AnyDeviceStage, TheSmallPictureOfTheDeviceStandsStill) {
   for (const char* const name : {"arm", "pantograph", "string"}) {
     const Scene scene = load_scene(name);
