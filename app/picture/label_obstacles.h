@@ -28,7 +28,9 @@ class LabelObstacles {
   bool is_free(const ScreenBox& box, double air, Clearance clearance) const;
   // Whether a line runs through a box; with if_possible, one that is not long and thin.
   bool is_crossed(const ScreenBox& box, Clearance clearance) const;
-  // Whether a thin line crosses none but the long and thin ones.
+  // Whether a thin line crosses no words and no other rectangle.
+  bool passes_boxes(const Vector<2>& from, const Vector<2>& to) const;
+  // Nor any line but the long and thin ones.
   bool can_pass(const Vector<2>& from, const Vector<2>& to) const;
 
   struct BlockRequest {

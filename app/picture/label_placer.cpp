@@ -128,7 +128,7 @@ std::optional<ScreenPiece> LabelPlacer::leader_to(const Vector<2>& named, const 
   if (gap < points(far_block)) return std::nullopt;
   const Vector<2> from = named + (nearest - named) * (points(beside_named) / gap);
   const Vector<2> to = nearest - (nearest - named) * (points(least_label_air) / gap);  // it is kept clear itself
-  return obstacles_.can_pass(from, to) ? std::optional(ScreenPiece{from, to, 0.0}) : std::nullopt;
+  return obstacles_.passes_boxes(from, to) ? std::optional(ScreenPiece{from, to, 0.0}) : std::nullopt;
 }
 
 void LabelPlacer::arrange_anew(std::vector<LabelSearch>& searches, Options& options) {

@@ -80,7 +80,8 @@ LandscapePoint landscape_point_under(const LandscapeLayout& layout, const Vector
 }
 
 bool is_on_map(const LandscapePoint& point) noexcept {
-  return shown_kappas.nearest_to(point.kappa) == point.kappa;
+  constexpr double rounding = 1e-9;  // of the ring at an edge of the map, on its way into the settings and back
+  return std::abs(shown_kappas.nearest_to(point.kappa) - point.kappa) <= rounding * point.kappa;
 }
 
 Vector<2> knob_at(const LandscapeLayout& layout, double dial) noexcept {

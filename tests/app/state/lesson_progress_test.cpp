@@ -108,7 +108,7 @@ TEST(LessonProgressWords, SayOfHowManyQuestionsOnlyAtTheEnd) {
     return progress_words(lesson, progress, stage_language(language).picker);
   };
   const std::set<std::string> right{"predict", "cure", "joint"};
-  EXPECT_EQ(words({.farthest = 6, .right = right, .is_finished = false}, "en"), "Step 7 of 8 · 3 right");
+  EXPECT_EQ(words({.farthest = 6, .right = right, .is_finished = false}, "en"), "7 of 8 steps seen · 3 right");
   EXPECT_EQ(words({.farthest = 7, .right = right, .is_finished = true}, "en"), "Done · 3 of 4 right");
   EXPECT_EQ(words({.farthest = 7, .right = right, .is_finished = true}, "es"), "Hecha · aciertos: 3 de 4");
   EXPECT_EQ(words({.farthest = 7, .right = {}, .is_finished = true}, "en"), "Done");
