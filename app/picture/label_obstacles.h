@@ -30,7 +30,7 @@ class LabelObstacles {
   bool is_crossed(const ScreenBox& box, Clearance clearance) const;
   // Whether a thin line crosses no words and no other rectangle.
   bool passes_boxes(const Vector<2>& from, const Vector<2>& to) const;
-  // Nor any line but the long and thin ones.
+  // Whether a thin line crosses no rectangle, and no line but the long and thin ones.
   bool can_pass(const Vector<2>& from, const Vector<2>& to) const;
 
   struct BlockRequest {

@@ -21,8 +21,8 @@ constexpr double narrow_cost = 20.0;      // of one that what moves may soon tak
 constexpr double roomy_air = 30.0;        // with less air than this
 constexpr double very_roomy_air = 80.0;   // for what is large, and pushed away slowly
 constexpr double most_in_motion = 70.0;   // what is dearer, such as a line to far words, waits until nothing moves
-constexpr double far_block = 36.0;        // words beyond need a line to what they name,
-constexpr double beside_named = 8.0;      // which begins there
+constexpr double far_block = 36.0;        // words farther from what they name need a line to it,
+constexpr double beside_named = 8.0;      // which begins at this distance from it
 constexpr double row_height = 8.0;        // from one try to place a block to the next
 
 bool is_within(const ScreenBox& region, const ScreenBox& box) {
@@ -118,6 +118,7 @@ std::vector<std::optional<PlacedLabel>> LabelPlacer::place(const std::vector<Lab
     if (!placed) continue;
     found[i] = {.lines = requests[i].lines, .box = placed->box, .strength = placed->strength};
     if (const auto& named = requests[i].block->named) found[i]->leader = leader_to(*named, placed->box);
+    if (const auto& leader = found[i]->leader) obstacles_.add(leader->from, leader->to, points(1.0), Clearance::always);
   }
   return found;
 }
@@ -127,7 +128,8 @@ std::optional<ScreenPiece> LabelPlacer::leader_to(const Vector<2>& named, const 
   const double gap = glm::distance(named, nearest);
   if (gap < points(far_block)) return std::nullopt;
   const Vector<2> from = named + (nearest - named) * (points(beside_named) / gap);
-  const Vector<2> to = nearest - (nearest - named) * (points(least_label_air) / gap);  // it is kept clear itself
+  const Vector<2> to =
+      nearest - (nearest - named) * (points(least_label_air) / gap);  // the words' own box is an obstacle
   return obstacles_.passes_boxes(from, to) ? std::optional(ScreenPiece{from, to, 0.0}) : std::nullopt;
 }
 

@@ -95,7 +95,8 @@ StageControl values_group(const ControlSource& source) {
     parts.push_back(text_control(std::move(id), Kind::told,
                                  value_words(source, is_hidden, number, words, words_if_unknown, write, unit)));
   };
-  add_number("value-ghost", hides_force, reading.numbers.ghost_force, names.ghost_force, names.ghost_force_unknown,
+  add_number("value-ghost", hides_force, reading.numbers.ghost_force,
+             words_of_ghost_force(reading.numbers.ghost_force.value_or(0.0), names), names.ghost_force_unknown,
              force_number, "N");
   add_number("value-slide", hides_slide, reading.numbers.slide, names.slide, names.slide_unknown, slide_number, "mm");
   add_number("value-share", hides_force, reading.numbers.wall_share, share, share, force_number, "N");

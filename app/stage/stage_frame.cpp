@@ -329,10 +329,10 @@ void add_numbers(const StageLayer& layer) {
   const StageNumbers numbers = stage_numbers(content.moment);
   const std::optional<double>& ghost = numbers.ghost_force;
   const StageLanguage::Numbers& all = content.language.numbers;
-  const std::string_view ghost_words = content.hides.force || ghost ? all.ghost_force : all.ghost_force_unknown;
+  const std::string_view ghost_words = words_of_ghost_force(content.hides.force ? 0.0 : ghost, all);
   // What it is at a motor that turns.
   const double torque = has_joints(content.settings) ? std::abs(ghost_effort(content)) : 0.0;
-  const bool tells_torque = ghost && !content.hides.force && torque >= least_shown_torque;
+  const bool tells_torque = ghost_words == all.ghost_force && !content.hides.force && torque >= least_shown_torque;
   const std::string ghost_told = tells_torque
                                      ? filled(content.language.labels.torque, ghost_words, force_number(torque))
                                      : std::string(ghost_words);

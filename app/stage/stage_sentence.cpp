@@ -187,6 +187,12 @@ StageNumbers stage_numbers(const StageMoment& moment) noexcept {
   return numbers;
 }
 
+std::string_view words_of_ghost_force(const std::optional<double>& newton,
+                                      const StageLanguage::Numbers& words) noexcept {
+  if (!newton) return words.ghost_force_unknown;
+  return *newton <= -least_shown_force ? words.negative_ghost_force : words.ghost_force;
+}
+
 std::string force_number(double newton) {
   return three_digits(std::abs(newton));
 }

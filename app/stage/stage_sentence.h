@@ -43,13 +43,17 @@ struct StageNumbers {
 };
 StageNumbers stage_numbers(const StageMoment& moment) noexcept;
 
+// What the ghost force's number is called, which has no sign; it may be unknown [N].
+std::string_view words_of_ghost_force(const std::optional<double>& newton,
+                                      const StageLanguage::Numbers& words) noexcept;
+
 // A size with its sign left out, three digits wide at all sizes: "1.27", "12.7", "127".
 std::string force_number(double newton);
 std::string slide_number(double metres);
 
 // "left and right", "up and down", or "along its rail", for those who see it.
 std::string rail_words(double actuated_angle, const StageLanguage& language);
-// The same, or "at 30°, counted from the right".
+// "left and right", "up and down", or "at 30°, counted from the right", for those who do not.
 std::string motor_direction_words(double actuated_angle, const StageLanguage& language);
 // The nearest of eight: "upwards", "up and to the right".
 std::string force_direction_words(const Vector<2>& force, const StageLanguage& language);

@@ -119,6 +119,7 @@ StageMoment stage_moment_between(const Settings& settings, const Snapshot& snaps
   if (cured_rest && full_rest) {
     moment.expected_rest = glm::mix(cured_rest->device, full_rest->at.device, blend.fullness);
   }
+  keep_within_links(settings, moment);
   return moment;
 }
 

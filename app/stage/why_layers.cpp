@@ -90,8 +90,9 @@ std::vector<std::string> words_of_steps(const StageContent& content, const Force
                                     : with_number(content, words.excess, force_number(ghost), "N")};
 }
 
-// A missing part that is shorter leaves no room beside the arrows for the words of each step [points of the design].
-constexpr std::array least_missing{0.0, 100.0, 150.0, 50.0};
+// A missing part that is shorter leaves no room beside the arrows for the words of
+// steps 1 to 4 [points of the design].
+constexpr std::array least_missing{0.0, 100.0, 175.0, 50.0};
 
 void add_why(const StageLayer& layer) {
   const auto& [content, layout, canvas] = layer;
@@ -186,8 +187,12 @@ void add_why(const StageLayer& layer) {
       const Vector<2> extent = canvas.labels.extent_of(lines, style);
       ScreenBox region = layout.room();
       region.least.y = layout.sentence_box.most.y + canvas.points(6.0);
-      const LabelBlock block{
-          .id = id, .extent = extent, .region = region, .wanted = middle - 0.5 * extent, .named = middle};
+      const LabelBlock block{.id = id,
+                             .extent = extent,
+                             .region = region,
+                             .wanted = middle - 0.5 * extent,
+                             .may_cover = true,
+                             .named = middle};
       canvas.label(role, {.id = id, .lines = lines, .style = style, .block = block, .is_to_come = !is_there(from_step)},
                    colour);
       return;

@@ -473,8 +473,8 @@ void act(Session& session, const HideHints&) {
 bool escape_has_use(const Session& session) {
   const StageChoice& stage = session.stage;
   return session.motors_may_push || stage.is_black || stage.shows_menu || session.dialog != Dialog::none ||
-         session.notice || stage.looks_back_to_s || stage.mode != StageMode::none || session.hint ||
-         (session.lesson && !permit(session, LeaveLesson{}));
+         (session.notice && session.notice->is_problem) || stage.looks_back_to_s || stage.mode != StageMode::none ||
+         session.hint || (session.lesson && !permit(session, LeaveLesson{}));
 }
 
 Effects apply(Session& session, const Action& action) {

@@ -31,14 +31,14 @@ StageMoment moment_of_goal(const Settings& settings, const Vector<2>& goal) noex
   return moment;
 }
 
-// The loop lets a simulated handle run on where no motor reaches it; links would hold it at their ends.
-void look_whether_outside(const Settings& settings, StageMoment& moment) noexcept {
+}  // namespace
+
+void keep_within_links(const Settings& settings, StageMoment& moment) noexcept {
   moment.is_outside = is_general(settings) && motor_reach(settings, moment.handle).count == 0;
   if (!moment.is_outside || moment.is_measured) return;
-  moment.handle = handle_of(nearest_pose(mechanism_of(settings), moment.handle));
+  const LinkagePose pose = nearest_pose(mechanism_of(settings), moment.handle);
+  if (pose.joint_count > 0) moment.handle = handle_of(pose);
 }
-
-}  // namespace
 
 StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, const Vector<2>& goal) noexcept {
   const StrategySnapshot<2>& now = snapshot.strategies[index_of(settings.active)];
@@ -54,7 +54,7 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
   // In free space the sampled loop has a force of its own, which is no wall's.
   if (now.in_contact) moment.wall_share = now.force - moment.ghost_force;
   moment.slide = now.proxy_drift;
-  look_whether_outside(settings, moment);
+  keep_within_links(settings, moment);
   moment.has_rest = !is_general(settings) || rest_of(settings.active, settings, goal).has_value();
   return moment;
 }
@@ -75,7 +75,7 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
     moment.has_rest = false;
     moment.handle = moment.expected_rest;
     moment.proxy = moment.expected_contact;
-    look_whether_outside(settings, moment);
+    keep_within_links(settings, moment);
     return moment;
   }
   const PredictedEquilibrium& rest = *found;
@@ -85,7 +85,7 @@ StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal
   moment.wall_share = rest.at.force - rest.ghost_force;
   moment.ghost_force = rest.ghost_force;
   moment.slide = rest.proxy_drift;
-  look_whether_outside(settings, moment);
+  keep_within_links(settings, moment);
   return moment;
 }
 

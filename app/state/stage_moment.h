@@ -40,6 +40,10 @@ StageMoment stage_moment(const Settings& settings, const Snapshot& snapshot, con
 // handle. Other moments stay as they are.
 StageMoment with_target(const StageMoment& moment, const Wall<2>& wall, const Vector<2>& target) noexcept;
 
+// Whether the handle is beyond what the device can reach. The loop lets a simulated one run on there; links would hold
+// it, and it is shown at their end.
+void keep_within_links(const Settings& settings, StageMoment& moment) noexcept;
+
 // At rest under a goal that is held still, by closed form. Without a rest it is where the handle should be.
 StageMoment stage_moment_at_rest(const Settings& settings, const Vector<2>& goal) noexcept;
 

@@ -185,7 +185,7 @@ class WaysOutInHealthTest : public WaysOutBySignalTest {};
 
 using Signals = std::vector<int>;
 
-Signals at_least(const Signals& few, const Signals& all) {
+Signals all_in_long_run(const Signals& few, const Signals& all) {
   return is_long_run() ? all : few;
 }
 
@@ -215,7 +215,7 @@ std::string signal_name(const testing::TestParamInfo<int>& run) {
 
 INSTANTIATE_TEST_SUITE_P(, WaysOutByDeadlySignalTest, testing::ValuesIn(deadly_signals()), signal_name);
 INSTANTIATE_TEST_SUITE_P(, WaysOutInHealthTest,
-                         testing::ValuesIn(at_least({SIGQUIT, SIGSEGV, SIGUSR1, SIGRTMAX}, deadly_signals())),
+                         testing::ValuesIn(all_in_long_run({SIGQUIT, SIGSEGV, SIGUSR1, SIGRTMAX}, deadly_signals())),
                          signal_name);
 
 // Those that go to the very thread that is at fault, or has used up its time.
@@ -227,8 +227,9 @@ TEST_P(WaysOutByTheServosSignalTest, OnItsThread) {
 }
 
 INSTANTIATE_TEST_SUITE_P(, WaysOutByTheServosSignalTest,
-                         testing::ValuesIn(at_least({SIGABRT, SIGSEGV, SIGXCPU}, {SIGABRT, SIGSEGV, SIGBUS, SIGFPE,
-                                                                                  SIGILL, SIGTRAP, SIGSYS, SIGXCPU})),
+                         testing::ValuesIn(all_in_long_run({SIGABRT, SIGSEGV, SIGXCPU},
+                                                           {SIGABRT, SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGTRAP, SIGSYS,
+                                                            SIGXCPU})),
                          signal_name);
 
 // The second must not end it before the first has turned motors off.

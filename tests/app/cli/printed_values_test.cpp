@@ -66,6 +66,8 @@ TEST(PrintedValues, SayWhatThePictureSays) {
     const std::string slide_digits = columns[slide] != "-" ? columns[slide] : "–";
     EXPECT_TRUE(numbers.starts_with(ghost_digits + " N ")) << numbers << " against " << ghost_digits;
     EXPECT_NE(numbers.find(" " + slide_digits + " mm "), std::string::npos) << numbers << " against " << slide_digits;
+    const bool is_negative = numbers.find("negative ghost force") != std::string::npos;
+    EXPECT_EQ(columns[ghost_force].starts_with('-') && knows_ghost, is_negative) << numbers;
     EXPECT_EQ(columns[wall_share] == "-", !knows_ghost);
   }
   EXPECT_GT(with_numbers, 100);

@@ -16,6 +16,7 @@
 #include "app/picture/share_colour.h"
 #include "app/picture/workspace_layer.h"
 #include "app/stage/stage_sentence.h"
+#include "app/stage/stage_transition.h"
 #include "app/state/stage_view.h"
 #include "core/scene_shape.h"
 #include "tests/app/stage/stage_dice.h"
@@ -221,7 +222,6 @@ TEST(AnyDeviceStage, SaysThatTheDeviceDoesNotReachThere) {
   EXPECT_LT(off_line(links[1].to - arm.base, snapshot.goal - arm.base), 1e-6);
 }
 
-// A place of its own: it does not look for another one while something is dragged.
 // However far the loop lets it run.
 TEST(AnyDeviceStage, TheHandleStaysAtTheEndOfItsLinks) {
   for (const char* const name : {"arm", "pantograph"}) {
@@ -231,11 +231,14 @@ TEST(AnyDeviceStage, TheHandleStaysAtTheEndOfItsLinks) {
     const StageMoment live = stage_moment(settings, snapshot, {0.7, -0.4});
     EXPECT_TRUE(live.is_outside);
     EXPECT_TRUE(pose_at(mechanism_of(settings), live.handle)) << name;
+    const StageMoment between = stage_moment_between(settings, snapshot, {0.7, -0.4}, {.fullness = 0.5, .cure = 0.5});
+    EXPECT_TRUE(pose_at(mechanism_of(settings), between.handle)) << name;
     const StageMoment at_rest = stage_moment_at_rest(settings, {0.7, -0.4});
     EXPECT_TRUE(pose_at(mechanism_of(settings), at_rest.handle)) << name;
   }
 }
 
+// A place of its own: it does not look for another one while something is dragged.
 TEST(AnyDeviceStage, TheSmallPictureOfTheDeviceStandsStill) {
   for (const char* const name : {"arm", "pantograph", "string"}) {
     const Scene scene = load_scene(name);

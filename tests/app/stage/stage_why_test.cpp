@@ -55,10 +55,13 @@ TEST_P(StageWhy, ShowsEachStepOfWhyWhereItStaysWithTheNext) {
       std::map<std::string, Vector<2>> now;
       const Drawn drawn(shown.compose());
       for (const LabelExtent& label : drawn.extents.labels) {
-        if (label.words.substr(1, 2) == "  ") now[label.words] = label.box.least;
+        if (label.words.size() > 2 && label.words.substr(1, 2) == "  ") now[label.words] = label.box.least;
       }
       EXPECT_EQ(now.size(), static_cast<std::size_t>(shown.why_step)) << words_for(shown);
-      for (const auto& [words, place] : before) EXPECT_EQ(now.at(words), place) << words << ' ' << words_for(shown);
+      for (const auto& [words, place] : before) {
+        ASSERT_TRUE(now.contains(words)) << words << ' ' << words_for(shown);
+        EXPECT_EQ(now.at(words), place) << words << ' ' << words_for(shown);
+      }
       before = std::move(now);
     }
   }

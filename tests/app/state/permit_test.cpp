@@ -32,9 +32,8 @@ class PermitTest : public testing::Test {
 // Whatever is open: each Escape closes something, until there is nothing left for it to do.
 TEST_F(PermitTest, EscapeHasUseAsLongAsItClosesSomething) {
   EXPECT_FALSE(escape_has_use(session));
-  const std::vector<Action> opening{
-      ToggleBlank{},  ToggleMenu{}, OpenDialog{Dialog::help}, ToggleNumbers{}, ToggleMode{StageMode::why},
-      LookBackTo{1.0}};
+  const std::vector<Action> opening{ToggleBlank{}, ToggleMenu{}, OpenDialog{Dialog::help}, ToggleMode{StageMode::why},
+                                    LookBackTo{1.0}};
   for (const Action& action : opening) {
     apply(session, action);
     EXPECT_TRUE(escape_has_use(session)) << action.index();
