@@ -153,15 +153,11 @@ bool LabelObstacles::is_near(const ThickLine& line, const ScreenBox& box, double
   return distance_to_box(box, line.from, line.to) < reach;
 }
 
-bool LabelObstacles::passes_boxes(const Vector<2>& from, const Vector<2>& to) const {
-  return std::ranges::none_of(boxes_, [&](const ScreenBox& box) {
-    ScreenPiece piece{from, to, 0.0};
-    return clip(box, piece);
-  });
-}
-
 bool LabelObstacles::can_pass(const Vector<2>& from, const Vector<2>& to) const {
-  if (!passes_boxes(from, to)) return false;
+  for (const ScreenBox& box : boxes_) {
+    ScreenPiece piece{from, to, 0.0};
+    if (clip(box, piece)) return false;
+  }
   const ScreenPiece way{from, to, 0.0};
   return std::ranges::none_of(lines_, [&](const ThickLine& line) {
     if (line.clearance == Clearance::if_possible) return false;

@@ -28,9 +28,7 @@ class LabelObstacles {
   bool is_free(const ScreenBox& box, double air, Clearance clearance) const;
   // Whether a line runs through a box; with if_possible, one that is not long and thin.
   bool is_crossed(const ScreenBox& box, Clearance clearance) const;
-  // Whether a thin line crosses no words and no other rectangle.
-  bool passes_boxes(const Vector<2>& from, const Vector<2>& to) const;
-  // Whether a thin line crosses no rectangle, and no line but the long and thin ones.
+  // Whether a thin line crosses none but the long and thin ones.
   bool can_pass(const Vector<2>& from, const Vector<2>& to) const;
 
   struct BlockRequest {

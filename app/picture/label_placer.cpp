@@ -22,7 +22,7 @@ constexpr double roomy_air = 30.0;        // with less air than this
 constexpr double very_roomy_air = 80.0;   // for what is large, and pushed away slowly
 constexpr double most_in_motion = 70.0;   // what is dearer, such as a line to far words, waits until nothing moves
 constexpr double far_block = 36.0;        // words farther from what they name need a line to it,
-constexpr double beside_named = 8.0;      // which begins at this distance from it
+constexpr double beside_named = 17.0;     // which begins at this distance from it
 constexpr double row_height = 8.0;        // from one try to place a block to the next
 
 bool is_within(const ScreenBox& region, const ScreenBox& box) {
@@ -130,7 +130,7 @@ std::optional<ScreenPiece> LabelPlacer::leader_to(const Vector<2>& named, const 
   const Vector<2> from = named + (nearest - named) * (points(beside_named) / gap);
   const Vector<2> to =
       nearest - (nearest - named) * (points(least_label_air) / gap);  // the words' own box is an obstacle
-  return obstacles_.passes_boxes(from, to) ? std::optional(ScreenPiece{from, to, 0.0}) : std::nullopt;
+  return obstacles_.can_pass(from, to) ? std::optional(ScreenPiece{from, to, 0.0}) : std::nullopt;
 }
 
 void LabelPlacer::arrange_anew(std::vector<LabelSearch>& searches, Options& options) {

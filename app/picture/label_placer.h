@@ -87,7 +87,7 @@ class LabelPlacer {
   // Counts on a wait; true once it has been that long.
   bool has_waited(Place& place, double at_least_s) const;
 
-  // Empty: it is near enough, or words lie between.
+  // Empty: it is near enough, or something lies between.
   std::optional<ScreenPiece> leader_to(const Vector<2>& named, const ScreenBox& box) const;
   void arrange_anew(std::vector<LabelSearch>& searches, Options& options);
   void keep_or_find(std::vector<LabelSearch>& searches, Options& options);

@@ -219,8 +219,7 @@ std::string warning_of(const Session& session, const LoopReading& loop) {
       session.lesson || session.stage.mode != StageMode::none || session.stage.looks_back_to_s || session.kiosk_visit;
   std::string about = words_about_motors(loop.motors, stage_language(session.language).device);
   if (!about.empty() && !(is_off && is_at_work)) return about;
-  const bool has_ribbon = session.stage.looks_back_to_s && session.stage.mode == StageMode::ribbon;
-  if (session.paused && !has_ribbon) return std::string(words.paused);
+  if (session.paused && !session.stage.looks_back_to_s) return std::string(words.paused);
   return {};
 }
 
