@@ -90,8 +90,7 @@ std::vector<std::string> words_of_steps(const StageContent& content, const Force
                                     : with_number(content, words.excess, force_number(ghost), "N")};
 }
 
-// A missing part that is shorter leaves no room beside the arrows for the words of
-// steps 1 to 4 [points of the design].
+// A missing part that is shorter leaves no room beside the arrows for the words of steps 1 to 4 [points of the design].
 constexpr std::array least_missing{0.0, 100.0, 175.0, 50.0};
 
 void add_why(const StageLayer& layer) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <gtest/gtest.h>
 
 #include "tests/app/picture/picture_extents.h"
 #include "tests/app/stage/stage_dice.h"
@@ -162,5 +163,16 @@ inline std::string words_for(const StageCase& shown) {
   return fmt::format("{}x{} scale {} {} mode {} strategy {}", shown.size.x, shown.size.y, shown.scale, shown.theme,
                      stage_mode_name(shown.mode), strategy(shown.settings.active).name);
 }
+
+// What is asked of the stage in each of its languages.
+class StageInEachLanguage : public testing::TestWithParam<const StageLanguage*> {
+ protected:
+  // At rest under one goal.
+  StageCase case_at(const Settings& settings, const Vector<2>& goal) const {
+    StageCase made = stage_case_at(settings, goal);
+    made.language = GetParam();
+    return made;
+  }
+};
 
 }  // namespace ghostforce

@@ -24,15 +24,7 @@ namespace {
 
 constexpr int cases = 700;
 
-class Stage : public testing::TestWithParam<const StageLanguage*> {
- protected:
-  // At rest under one goal.
-  StageCase case_at(const Settings& settings, const Vector<2>& goal) const {
-    StageCase made = stage_case_at(settings, goal);
-    made.language = GetParam();
-    return made;
-  }
-};
+class Stage : public StageInEachLanguage {};
 INSTANTIATE_TEST_SUITE_P(InEachLanguage, Stage, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 

@@ -11,14 +11,7 @@
 namespace ghostforce::stage_why_test {
 namespace {
 
-class StageWhy : public testing::TestWithParam<const StageLanguage*> {
- protected:
-  StageCase case_at(const Settings& settings, const Vector<2>& goal) const {
-    StageCase made = stage_case_at(settings, goal);
-    made.language = GetParam();
-    return made;
-  }
-};
+class StageWhy : public StageInEachLanguage {};
 INSTANTIATE_TEST_SUITE_P(InEachLanguage, StageWhy, testing::ValuesIn(stage_languages),
                          [](const auto& each) { return std::string(each.param->code); });
 
